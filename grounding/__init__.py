@@ -1,0 +1,1 @@
+"""Words and a world become symbolic goals."""

@@ -1,0 +1,1 @@
+"""A task executor joins grounding and motion, and checks what happened."""

@@ -1,0 +1,6 @@
+"""Data that ships with the project: scenes, treebank, grammar and weights, the recipe of the robot. No behaviour."""
+
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent
+SCENES = ROOT / "scenes"

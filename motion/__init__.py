@@ -1,0 +1,1 @@
+"""Metric goals become verified, timed plans."""
