@@ -1,0 +1,29 @@
+"""The exceptions of this package. Every message names what was wrong, where, and what would be right."""
+
+
+class GroundingError(Exception):
+    """Root of everything that `grounding` raises on purpose."""
+
+
+class WorldError(GroundingError):
+    """A world or a world file that cannot be used; names the object and the key."""
+
+
+class SymbolError(GroundingError):
+    """A symbol that cannot be built or read."""
+
+
+class TreeError(GroundingError):
+    """A bracketed parse tree that cannot be read."""
+
+
+class LanguageError(GroundingError):
+    """A text that cannot be split into words at all, or a grammar that cannot be used."""
+
+
+class CorpusError(GroundingError):
+    """A corpus file that is refused; names the file and the element."""
+
+
+class ModelError(GroundingError):
+    """Weights or a grammar on disk that are missing, damaged or of another version."""

@@ -1,0 +1,1 @@
+"""From text to phrase trees: tokens, Penn tags, weighted CKY."""
