@@ -1,4 +1,4 @@
-"""Phrase trees: words with Penn tags as leaves, phrases (NP, PP, VP, PRT, ...) as inner nodes, and their bracketed form.
+"""Phrase trees: words with Penn tags as leaves, phrases (NP, PP, VP, PRT, ...) as inner nodes; their bracketed form.
 
 The bracketed form is that of the Penn treebank, with an optional annotation in braces after a phrase's tag::
 
