@@ -1,1 +1,92 @@
-"""Metric goals become verified, timed plans."""
+"""Metric goals become verified, timed plans, and plans become physics.
+
+Motion knows plain names, poses and sizes; what a block *means* is none of its business. World frame: origin on the floor under
+Baxter's base, x away from the robot, y to its left, z up; metres, radians, quaternions (w, x, y, z).
+
+    import numpy as np
+    from motion import Box, Scene, Simulator, plan_pick, plan_place
+
+    scene = Scene((Box("table", (0.65, 0, 0.691), size=(0.7, 1.8, 0.04), fixed=True),
+                   Box("b1", (0.6, -0.3, 0.736))))
+    plan = plan_pick(scene, "b1", arm="auto", rng=np.random.default_rng(0))
+    with Simulator(scene) as simulator:
+        execution = simulator.execute(plan)      # on_step=callback(simulator) after every physics step
+        simulator.hold(2.0)
+        simulator.poses()["b1"].position         # where the block is now
+
+What there is:
+
+- Values: `Box(name, position, orientation, size, color, mass, fixed)`, `Scene(boxes)` with `box(name)`, `moved(poses)`,
+  `boxes_above(name)`, `resting_position(name, xy)`; `Pose(position, orientation)`; `RobotState(left, right, widths, held)`,
+  `RobotState.home()`.
+- `plan_pick(scene, target, *, arm, start, rng, lift)`, `plan_place(scene, target, position, *, yaw, arm, start, rng)`,
+  `plan_home(scene, *, arm, start, rng)`: each a `Plan(kind, arm, target, phases, grasp, goal, start, end)`, verified as a whole
+  before it is returned. A `Phase` has `name`, `trajectory` (`Trajectory(period, positions, velocities, accelerations)`),
+  `gripper` (commanded width at its end, metres) and `duration`. Phases of a pick: home, pregrasp, approach, close, lift, hold;
+  of a place: home, pregrasp, approach, close, lift, transfer, lower, open, retreat, home. The `start` of a plan is where the
+  robot is (default: home); a block already held (`start.held`) is placed without picking it again.
+- `Simulator(scene, state=None)`: `execute(plan, on_step=None) -> Execution`, `hold(seconds, on_step=None)`,
+  `settle(seconds=2.0)`, `poses()`, `scene()` (as it is now, for the next plan), `state()` (a `RobotState`, ditto),
+  `gripper_width(arm)`, `holding(arm)`, `contacts()`, `tracking_error(arm)`, `time`.
+- `Renderer(scene, width, height)`: `render(simulator=None, camera="front", markers=())` gives (height, width, 3) uint8;
+  `project(points, camera)` gives pixels for labels; cameras "front", "robot", "top", "side"; `Marker(position, size, color,
+  shape)`. Both Simulator and Renderer are context managers. `rendering_available()` says whether OpenGL can be started.
+- `solve_ik`, `grasp_candidates`, `load_robot`: the steps by themselves.
+- Errors: all below `MotionError`; see `motion/errors.py`.
+"""
+
+from __future__ import annotations
+
+from motion.errors import (
+    GraspUnavailable,
+    InvalidGoal,
+    InvalidScene,
+    LimitViolation,
+    MotionError,
+    PathNotFound,
+    PlanInCollision,
+    RenderingUnavailable,
+    RobotUnavailable,
+    SimulationDiverged,
+    UnknownBody,
+    UnreachableTarget,
+)
+from motion.planner import plan_home, plan_pick, plan_place
+from motion.plans import Phase, Plan
+from motion.poses import Pose
+from motion.rendering import Marker, Renderer, rendering_available
+from motion.scene import Box, Scene
+from motion.simulator import Execution, PhaseRecord, Simulator
+from motion.state import RobotState
+from motion.timing import Trajectory
+
+__all__ = [
+    "Box",
+    "Execution",
+    "GraspUnavailable",
+    "InvalidGoal",
+    "InvalidScene",
+    "LimitViolation",
+    "Marker",
+    "MotionError",
+    "PathNotFound",
+    "Phase",
+    "PhaseRecord",
+    "Plan",
+    "PlanInCollision",
+    "Pose",
+    "Renderer",
+    "RenderingUnavailable",
+    "RobotState",
+    "RobotUnavailable",
+    "Scene",
+    "SimulationDiverged",
+    "Simulator",
+    "Trajectory",
+    "UnknownBody",
+    "UnreachableTarget",
+    "plan_home",
+    "plan_pick",
+    "plan_place",
+    "rendering_available",
+]
