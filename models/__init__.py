@@ -4,3 +4,4 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent
 SCENES = ROOT / "scenes"
+BAXTER_RECIPE = ROOT / "baxter" / "recipe.json"
