@@ -14,7 +14,7 @@ objects. All are immutable, hashable and compare by value; `str` gives a notatio
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from typing import Any
 
@@ -334,10 +334,15 @@ def _build(form: str, sections: list[str]) -> Symbol:
             relation, kind = fields(2, 2)
             destination = Region(str(relation), str(kind), tuple(sections[3].split()))
         return Action(sections[0], objects, destination)
-    simple = {"object": ObjectSymbol, "type": ObjectType, "color": ObjectColor, "spatial": SpatialReference}
+    simple: dict[str, Callable[[str], Symbol]] = {
+        "object": ObjectSymbol,
+        "type": ObjectType,
+        "color": ObjectColor,
+        "spatial": SpatialReference,
+    }
     if form in simple:
         return simple[form](one())
-    counted = {"cardinal": Cardinal, "ordinal": Ordinal}
+    counted: dict[str, Callable[[int], Symbol]] = {"cardinal": Cardinal, "ordinal": Ordinal}
     if form in counted:
         return counted[form](int(one()))
     raise KeyError(f"unknown form {form!r}; known are {', '.join([*simple, *counted])}, container, attribute, "

@@ -1,0 +1,157 @@
+"""Υ, digested: what the features ask of a world, computed on demand, once, and shared by all its phrases."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from functools import cached_property
+
+import numpy as np
+
+from grounding.geometry.arrangements import Arrangement, find_arrangements
+from grounding.geometry.masks import indices_of, mask_of
+from grounding.geometry.regions import in_region
+from grounding.symbols import LAST
+from grounding.world import Array, World
+
+ABSOLUTE = ("left", "right", "front", "back", "near", "far", "top", "bottom")
+
+
+class Layout:
+    """Measurements of one world; index i is the i-th of `world.things`, sets are masks.
+
+    Directions are the robot's: left is +y, back is +x, near and far are distances from the origin on the floor,
+    center is closeness to the mean of the set that is looked at. Nothing here changes after it was computed.
+    """
+
+    def __init__(self, world: World) -> None:
+        self.world = world
+        self.things = world.things
+        self.ids = tuple(item.id for item in self.things)
+        self.index = {object_id: i for i, object_id in enumerate(self.ids)}
+        self.size = len(self.things)
+        self.everything = (1 << self.size) - 1
+        self.positions = world.positions
+        self._ranked: dict[tuple[int, str], tuple[int, ...]] = {}
+        self._regions: dict[tuple[str, tuple[str, ...]], int] = {}
+        self._matching: dict[tuple[str | None, str | None], int] = {}
+
+    @cached_property
+    def edges(self) -> Array:
+        """Mean edge of every object, shape (n,) in [m]."""
+        return np.array([item.size.mean() for item in self.things])
+
+    @cached_property
+    def edge(self) -> float:
+        """The typical edge in [m]."""
+        return float(np.median(self.edges)) if self.size else 0.05
+
+    @cached_property
+    def arrangements(self) -> tuple[Arrangement, ...]:
+        """Lines, circles, clusters and towers."""
+        return find_arrangements(self.positions, self.edges)
+
+    @cached_property
+    def clear_top(self) -> int:
+        """The objects that carry no other one."""
+        mask = self.everything
+        for tower in self.arrangements:
+            if tower.kind == "tower":
+                members = list(indices_of(tower.mask))
+                highest = max(members, key=lambda i: self.positions[i, 2])
+                mask &= ~tower.mask | (1 << highest)
+        return mask
+
+    @cached_property
+    def colors(self) -> frozenset[str]:
+        """The colours that occur among the things."""
+        return frozenset(item.color for item in self.things)
+
+    @cached_property
+    def types(self) -> frozenset[str]:
+        """The types that occur in the world, furniture included."""
+        return frozenset(item.type for item in self.world.objects)
+
+    @cached_property
+    def _scores(self) -> dict[str, Array]:
+        x, y, z = self.positions.T
+        distance = np.hypot(x, y)
+        return {
+            "left": y, "right": -y, "front": -x, "back": x, "near": -distance, "far": distance, "top": z, "bottom": -z,
+        }  # fmt: skip
+
+    def mask(self, ids: Iterable[str]) -> int:
+        """The set of the given ids; ids of furniture are left out."""
+        return mask_of(self.index[i] for i in ids if i in self.index)
+
+    def names(self, mask: int) -> tuple[str, ...]:
+        """The ids in a set."""
+        return tuple(self.ids[i] for i in indices_of(mask))
+
+    def matching(self, object_type: str | None, color: str | None) -> int:
+        """The things of a type and a colour; None where nothing is asked. An unknown colour matches none named."""
+        key = (object_type, color)
+        if key not in self._matching:
+            self._matching[key] = mask_of(
+                i
+                for i, item in enumerate(self.things)
+                if (object_type is None or item.type == object_type) and (color is None or item.color == color)
+            )
+        return self._matching[key]
+
+    def extent(self, mask: int, direction: str) -> Array:
+        """How far each member of a set lies in a direction, in the order of `indices_of(mask)`, in [m]."""
+        members = list(indices_of(mask))
+        if direction == "center":
+            points = self.positions[members]
+            return np.asarray(-np.linalg.norm(points[:, :2] - points[:, :2].mean(axis=0), axis=1))
+        return self._scores[direction][members]
+
+    def ranked(self, mask: int, direction: str) -> tuple[int, ...]:
+        """The members of a set, the most extreme in a direction first; equal ones: the higher, then by id."""
+        key = (mask, direction)
+        if key not in self._ranked:
+            members = list(indices_of(mask))
+            if direction in ("between",) or not members:
+                self._ranked[key] = ()
+            else:
+                score = self.extent(mask, direction)
+                heights = self.positions[members, 2]
+                order = np.lexsort((members, -heights, -np.round(score, 4)))
+                self._ranked[key] = tuple(members[i] for i in order)
+        return self._ranked[key]
+
+    def nth(self, mask: int, direction: str, index: int) -> int:
+        """The set of the index-th member in a direction (from 1; `LAST` is the last); empty where there is none."""
+        order = self.ranked(mask, direction)
+        if index == LAST:
+            return 1 << order[-1] if order else 0
+        return 1 << order[index - 1] if 0 < index <= len(order) else 0
+
+    def extreme(self, mask: int, direction: str, count: int) -> int:
+        """The `count` most extreme members in a direction; empty where there are fewer."""
+        order = self.ranked(mask, direction)
+        return mask_of(order[:count]) if 0 < count <= len(order) else 0
+
+    def median(self, mask: int) -> int:
+        """The middle member by rank along the set's main axis; empty for an even number."""
+        members = list(indices_of(mask))
+        if len(members) % 2 == 0:
+            return 0
+        points = self.positions[members]
+        axis = np.linalg.svd(points - points.mean(axis=0), full_matrices=False)[2][0]
+        return 1 << members[int(np.argsort(points @ axis, kind="stable")[len(members) // 2])]
+
+    def within(self, relation: str, reference: tuple[str, ...]) -> int:
+        """The things in a region: in a direction of the reference objects, who are not part of it themselves."""
+        key = (relation, reference)
+        if key not in self._regions:
+            items = [self.world.by_id[i] for i in reference if i in self.world.by_id]
+            inside = in_region(relation, items, self.things)
+            self._regions[key] = mask_of(np.flatnonzero(inside)) & ~self.mask(reference)
+        return self._regions[key]
+
+    def distance_to(self, mask: int, reference: tuple[str, ...]) -> Array:
+        """Distance of each member of a set to the nearest reference object, on the floor, in [m]."""
+        points = np.array([self.world.by_id[i].position[:2] for i in reference if i in self.world.by_id])
+        members = self.positions[list(indices_of(mask)), :2]
+        return np.linalg.norm(members[:, None] - points[None], axis=2).min(axis=1)

@@ -1,0 +1,85 @@
+"""From text to tokens: words, numbers, clitics and punctuation marks, each with its place in the text.
+
+Follows the conventions of the Penn treebank where they matter here: clitics are tokens of their own ("it's" is "it" and "'s"), words
+with inner hyphens are not split ("right-hand").
+"""
+
+from __future__ import annotations
+
+import re
+import unicodedata
+from dataclasses import dataclass
+
+from grounding.errors import LanguageError
+
+SENTENCE_ENDS = frozenset(".!?;…。！？")
+_APOSTROPHES = "'’‘ʼ＇`´"
+_HYPHENS = "-‐‑‒"
+_TOKEN = re.compile(rf"\d+(?:[.,]\d+)+|\w+(?:[{_APOSTROPHES}{_HYPHENS}]\w+)*|\S")
+_CLITIC = re.compile(rf"(?P<stem>.+?)(?P<clitic>n[{_APOSTROPHES}]t|[{_APOSTROPHES}](?:s|d|m|ll|re|ve))\Z", re.IGNORECASE)
+_PLAIN = re.compile(r"[\w'.,\-]+\Z")
+_FOLD = str.maketrans({**dict.fromkeys(_APOSTROPHES, "'"), **dict.fromkeys(_HYPHENS, "-")})
+
+
+@dataclass(frozen=True)
+class Token:
+    """A word, number or mark of a text.
+
+    Attributes:
+        text: as it is compared: lower case, with plain apostrophes and hyphens.
+        original: as it was written.
+        start: offset of its first character in the text.
+        end: offset after its last character.
+    """
+
+    text: str
+    original: str
+    start: int
+    end: int
+
+    @property
+    def is_word(self) -> bool:
+        """Whether this is a word or a number, not a punctuation mark."""
+        return any(character.isalnum() for character in self.text)
+
+    @property
+    def ends_sentence(self) -> bool:
+        """Whether this is a mark that ends a sentence."""
+        return self.text in SENTENCE_ENDS
+
+
+def tokenize(text: str) -> tuple[Token, ...]:
+    """Split a text into tokens, in order and without overlap.
+
+    Args:
+        text: any string.
+
+    Returns:
+        at least one token; white space and invisible characters belong to none.
+
+    Raises:
+        LanguageError: there is nothing to read in the text.
+    """
+    tokens: list[Token] = []
+    for match in _TOKEN.finditer(text):
+        start, end = match.span()
+        clitic = _CLITIC.match(match.group())
+        cuts = [start, start + clitic.start("clitic"), end] if clitic else [start, end]
+        for first, last in zip(cuts, cuts[1:], strict=False):
+            original = text[first:last]
+            if any(_visible(character) for character in original):
+                tokens.append(Token(_normal(original), original, first, last))
+    if not tokens:
+        raise LanguageError(f"expected an instruction and found a text without words: {text[:40]!r}")
+    return tuple(tokens)
+
+
+def _visible(character: str) -> bool:
+    return unicodedata.category(character)[0] not in "CZM"
+
+
+def _normal(original: str) -> str:
+    """Lower case and compatibility forms, unless these would add blanks or brackets."""
+    folded = original.translate(_FOLD).lower()
+    compatible = unicodedata.normalize("NFKC", folded)
+    return compatible if _PLAIN.match(compatible) else folded
