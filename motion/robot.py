@@ -1,0 +1,129 @@
+"""Baxter, built once from its URDF: Pinocchio's model for kinematics, MuJoCo's for contact and physics, from one description."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import lru_cache
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pinocchio
+
+from motion.build import ARM_JOINTS, robot_folder
+from motion.engine import mujoco
+from motion.errors import InvalidGoal, RobotUnavailable
+from motion.poses import Array, Pose, frozen
+from motion.recipe import JointLimits, recipe
+
+
+@dataclass(frozen=True, eq=False)
+class Arm:
+    """One arm.
+
+    Attributes:
+        name: "left" or "right".
+        joints: the seven joints' names, shoulder to wrist.
+        lower: (7,) lower ends of the joints' ranges, radians.
+        upper: (7,) upper ends.
+        limits: what the joints may do.
+        model: MuJoCo model of this arm alone (seven joints), with the site `<name>_tool`.
+        site: id of that site.
+        shoulder: (3,) where the first joint's axis meets the arm's mount, metres.
+        reach: longest distance from `shoulder` to the tool frame, metres (never less than what is possible).
+    """
+
+    name: str
+    joints: tuple[str, ...]
+    lower: Array
+    upper: Array
+    limits: JointLimits
+    model: Any
+    site: int
+    shoulder: Array
+    reach: float
+
+
+class Robot:
+    """Both models of Baxter and what planning asks of them. Get it by `load_robot`.
+
+    Attributes:
+        folder: where the built files are.
+        pinocchio: the whole robot as a Pinocchio model (19 joints), standing on the floor of the world's frame.
+        arms: by name.
+    """
+
+    def __init__(self, folder: Path) -> None:
+        self.folder = folder
+        self.pinocchio = pinocchio.buildModelFromXML((folder / "robot.urdf").read_text())
+        self._data = self.pinocchio.createData()
+        self._neutral = pinocchio.neutral(self.pinocchio)
+        self._frames = {arm: self.pinocchio.getFrameId(f"{arm}_gripper") for arm in ("left", "right")}
+        self._indices = {
+            arm: np.array([self.pinocchio.idx_qs[self.pinocchio.getJointId(f"{arm}_{j}")] for j in ARM_JOINTS])
+            for arm in ("left", "right")
+        }
+        self.arms = {arm: self._arm(arm) for arm in ("left", "right")}
+
+    def arm(self, name: str) -> Arm:
+        """The arm of that name.
+
+        Raises:
+            InvalidGoal: it is neither "left" nor "right".
+        """
+        try:
+            return self.arms[name]
+        except (KeyError, TypeError):
+            raise InvalidGoal(f"there is no arm {name!r}; there are 'left' and 'right'") from None
+
+    def tool_pose(self, arm: str, joints: Array) -> Pose:
+        """Pose of an arm's tool frame (between the fingertips, z along the approach, y along the closing), by Pinocchio.
+
+        Args:
+            arm: "left" or "right".
+            joints: (7,) radians.
+        """
+        q = self._neutral.copy()
+        q[self._indices[arm]] = joints
+        pinocchio.forwardKinematics(self.pinocchio, self._data, q)
+        placement = pinocchio.updateFramePlacement(self.pinocchio, self._data, self._frames[arm])
+        return Pose.of(placement.rotation, placement.translation)
+
+    def _arm(self, name: str) -> Arm:
+        path = self.folder / f"arm_{name}.mjb"
+        try:
+            model = mujoco.MjModel.from_binary_path(str(path))
+        except ValueError as error:
+            raise RobotUnavailable(f"{path} could not be read ({error}); delete the folder and it is built again") from error
+        margin = recipe().limits.position_margin
+        origins = [np.asarray(self.pinocchio.jointPlacements[i].translation) for i in self._chain(name)]
+        tool = self.pinocchio.frames[self._frames[name]].placement.translation
+        shoulder = np.asarray(self._shoulder(name))
+        return Arm(
+            name=name,
+            joints=tuple(f"{name}_{short}" for short in ARM_JOINTS),
+            lower=frozen(model.jnt_range[:, 0] + margin),
+            upper=frozen(model.jnt_range[:, 1] - margin),
+            limits=recipe().limits,
+            model=model,
+            site=mujoco.mj_name2id(model, mujoco.mjtObj.mjOBJ_SITE, f"{name}_tool"),
+            shoulder=frozen(shoulder),
+            reach=float(sum(np.linalg.norm(o) for o in origins[1:]) + np.linalg.norm(tool)),
+        )
+
+    def _chain(self, name: str) -> list[int]:
+        return [self.pinocchio.getJointId(f"{name}_{short}") for short in ARM_JOINTS]
+
+    def _shoulder(self, name: str) -> Array:
+        pinocchio.forwardKinematics(self.pinocchio, self._data, self._neutral)
+        return np.array(self._data.oMi[self._chain(name)[0]].translation)
+
+
+@lru_cache(maxsize=1)
+def load_robot() -> Robot:
+    """The robot, built on first use (a progress bar on standard error says so) and read from the user's cache afterwards.
+
+    Raises:
+        RobotUnavailable: its description is not installed or cannot be read.
+    """
+    return Robot(robot_folder())
