@@ -21,7 +21,7 @@ def _at(x: float, y: float, offsets: Array) -> Array:
     return np.array([x, y]) + offsets
 
 
-def lines_of_three(places: Array, reach: float = 0.21, deviation: float = 0.03, lean: float = 0.5) -> list[list[int]]:
+def lines_of_three(places: Array, reach: float = 0.21, deviation: float = 0.03, lean: float = 0.5) -> np.ndarray:
     """Triples that a person might call a row or a column.
 
     Args:
@@ -29,19 +29,20 @@ def lines_of_three(places: Array, reach: float = 0.21, deviation: float = 0.03, 
         reach: longest distance between neighbours in [m].
         deviation: longest distance of the middle one from the line through the others in [m].
         lean: largest angle between that line and the nearest of the axes in [rad].
+
+    Returns:
+        (m, 3) indices, ascending in each triple.
     """
-    found = []
-    for triple in combinations(range(len(places)), 3):
-        points = places[list(triple)]
-        apart = [np.linalg.norm(points[j] - points[i]) for i, j in ((0, 1), (0, 2), (1, 2))]
-        ends = ((0, 1), (0, 2), (1, 2))[int(np.argmax(apart))]
-        middle = points[3 - sum(ends)]
-        along = (points[ends[1]] - points[ends[0]]) / max(apart)
-        off = abs(along[0] * (middle - points[ends[0]])[1] - along[1] * (middle - points[ends[0]])[0])
-        angle = np.arctan2(min(abs(along)), max(abs(along)))
-        if sorted(apart)[1] <= reach and off <= deviation and angle <= lean:
-            found.append(list(triple))
-    return found
+    triples = np.array(list(combinations(range(len(places)), 3)), dtype=int).reshape(-1, 3)
+    a, b, c = (places[triples[:, k]] for k in range(3))
+    sides = np.stack([c - b, c - a, b - a], axis=1)  # each opposite to one of the three
+    lengths = np.linalg.norm(sides, axis=2)
+    longest = lengths.argmax(axis=1)
+    ends = sides[np.arange(len(triples)), longest]
+    area = np.abs(sides[:, 2, 0] * sides[:, 1, 1] - sides[:, 2, 1] * sides[:, 1, 0])
+    off = area / np.maximum(lengths.max(axis=1, initial=0.0), 1e-9)
+    angle = np.arctan2(np.abs(ends).min(axis=1, initial=np.inf), np.abs(ends).max(axis=1, initial=0.0))
+    return triples[(np.sort(lengths, axis=1)[:, 1] <= reach) & (off <= deviation) & (angle <= lean)]
 
 
 def _scatter(table: Tabletop, count: int, colors: tuple[str, ...], apart: float) -> None:
@@ -54,7 +55,7 @@ def _scatter(table: Tabletop, count: int, colors: tuple[str, ...], apart: float)
             if place is None:
                 continue
             places = np.array([block.position[:2] for block in table.blocks] + [place])
-            if not any(len(places) - 1 in triple for triple in lines_of_three(places)):
+            if not (lines_of_three(places) == len(places) - 1).any():
                 break
         else:
             raise CorpusError(f"no place for loose block {number + 1} of {count}")
@@ -119,15 +120,15 @@ def _twenty_mixed(table: Tabletop) -> None:
 
 
 PLANS: dict[str, tuple[int, Callable[[Tabletop], None]]] = {
-    "default": (11, _default),
+    "default": (18, _default),
     "four": (2, _four),
     "seven": (3, _seven),
     "twelve": (4, _twelve),
     "tower": (5, _tower),
     "groups": (6, _groups),
     "two_rows": (7, _two_rows),
-    "scattered": (8, _scattered),
-    "twenty_mixed": (9, _twenty_mixed),
+    "scattered": (22, _scattered),
+    "twenty_mixed": (11, _twenty_mixed),
 }
 
 

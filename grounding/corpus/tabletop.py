@@ -17,8 +17,8 @@ from grounding.world import Array, World, WorldObject, make_object
 
 TABLE = make_object("table", "table", "white", (0.65, 0.0, 0.691), size=(0.7, 1.8, 0.04))
 TABLE_TOP = 0.711  # z of the table's surface in [m]
-REACH_X = (0.46, 0.785)  # centres of blocks that one arm or the other grasps from above, in [m]
-REACH_Y = (-0.64, 0.64)
+REACH_X = (0.46, 0.77)  # centres of blocks that one arm or the other grasps from above, in [m]
+REACH_Y = (-0.62, 0.62)
 _DIGITS = 4  # of positions in [m]: tenths of a millimetre
 
 
