@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
@@ -29,8 +30,9 @@ class Arm:
         limits: what the joints may do.
         model: MuJoCo model of this arm alone (seven joints), with the site `<name>_tool`.
         site: id of that site.
-        shoulder: (3,) where the first joint's axis meets the arm's mount, metres.
-        reach: longest distance from `shoulder` to the tool frame, metres (never less than what is possible).
+        shoulder: (3,) point on the first joint's axis at the height of the second joint, metres.
+        reach: longest distance from `shoulder` to the wrist's centre, metres (never less than what is possible).
+        wrist: distance from the wrist's centre to the tool frame, along the tool's z axis, metres.
     """
 
     name: str
@@ -42,6 +44,7 @@ class Arm:
     site: int
     shoulder: Array
     reach: float
+    wrist: float
 
 
 class Robot:
@@ -96,27 +99,26 @@ class Robot:
         except ValueError as error:
             raise RobotUnavailable(f"{path} could not be read ({error}); delete the folder and it is built again") from error
         margin = recipe().limits.position_margin
-        origins = [np.asarray(self.pinocchio.jointPlacements[i].translation) for i in self._chain(name)]
-        tool = self.pinocchio.frames[self._frames[name]].placement.translation
-        shoulder = np.asarray(self._shoulder(name))
+        model.jnt_range[:, 0] += margin
+        model.jnt_range[:, 1] -= margin
+        pinocchio.forwardKinematics(self.pinocchio, self._data, self._neutral)
+        tool = pinocchio.updateFramePlacement(self.pinocchio, self._data, self._frames[name])
+        ids = [self.pinocchio.getJointId(f"{name}_{short}") for short in ARM_JOINTS]
+        centres = [np.array(self._data.oMi[i].translation) for i in ids]
+        lengths = [float(np.linalg.norm(b - a)) for a, b in itertools.pairwise(centres)]
+        offset = float(np.linalg.norm((centres[1] - centres[0])[:2]))
         return Arm(
             name=name,
             joints=tuple(f"{name}_{short}" for short in ARM_JOINTS),
-            lower=frozen(model.jnt_range[:, 0] + margin),
-            upper=frozen(model.jnt_range[:, 1] - margin),
+            lower=frozen(model.jnt_range[:, 0]),
+            upper=frozen(model.jnt_range[:, 1]),
             limits=recipe().limits,
             model=model,
             site=mujoco.mj_name2id(model, mujoco.mjtObj.mjOBJ_SITE, f"{name}_tool"),
-            shoulder=frozen(shoulder),
-            reach=float(sum(np.linalg.norm(o) for o in origins[1:]) + np.linalg.norm(tool)),
+            shoulder=frozen([centres[0][0], centres[0][1], centres[1][2]]),
+            reach=offset + sum(lengths[1:5]),
+            wrist=float(np.linalg.norm(tool.translation - centres[5])),
         )
-
-    def _chain(self, name: str) -> list[int]:
-        return [self.pinocchio.getJointId(f"{name}_{short}") for short in ARM_JOINTS]
-
-    def _shoulder(self, name: str) -> Array:
-        pinocchio.forwardKinematics(self.pinocchio, self._data, self._neutral)
-        return np.array(self._data.oMi[self._chain(name)[0]].translation)
 
 
 @lru_cache(maxsize=1)
