@@ -5,3 +5,4 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent
 SCENES = ROOT / "scenes"
 BAXTER_RECIPE = ROOT / "baxter" / "recipe.json"
+GRAMMAR = ROOT / "grammar.json"

@@ -8,9 +8,9 @@ from collections.abc import Hashable, Iterable, Mapping, Sequence
 class BackOff:
     """P(outcome | context), where a context is a chain of ever more general ones.
 
-    Each level is interpolated with the next more general one after I. Witten and T. Bell, "The zero-frequency problem" (IEEE
-    Transactions on Information Theory 37(4), 1991): the general level weighs as much as `novelty` times the number of different
-    outcomes seen in the specific context.
+    Each level is interpolated with the next more general one after I. Witten and T. Bell, "The zero-frequency problem"
+    (IEEE Transactions on Information Theory 37(4), 1991): the general level weighs as much as `novelty` times the
+    number of different outcomes seen in the specific context.
     """
 
     def __init__(self, events: Iterable[tuple[Sequence[Hashable], Hashable, float]], novelty: float) -> None:

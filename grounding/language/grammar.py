@@ -1,29 +1,34 @@
 """The grammar: how often which phrase has which children, counted in a treebank, and the probabilities that follow.
 
-It is a weighted context-free grammar in the lexicalised, markovised form of Collins (2003). A symbol is a tag with a label: the head
-word that the phrase comes down to ("NN:block" for "the second red block", "IN:of" for "of the row"), or the head word's tag alone where
-the word is rare. A phrase makes its head child, then its children to the right of the head, outwards, then those to the left; each
-child depends on the phrase, the label, the side and the child before it. Rules that were never seen whole are therefore possible, at a
-price, and attachment depends on words: "put" wants a place, "front" wants an "of".
+It is a weighted context-free grammar in the lexicalised, markovised form of Collins (2003). A symbol is a tag with a
+label: the head word that the phrase comes down to ("NN:block" for "the second red block", "IN:of" for "of the row"), or
+the head word's tag alone where the word is rare. A phrase makes its head child, then its children to the right of the
+head, outwards, then those to the left; each child depends on the phrase, the label, the side and the child before it.
+Rules that were never seen whole are therefore possible, at a price, and attachment depends on words: "put" wants a
+place, "front" wants an "of".
 """
 
 from __future__ import annotations
 
+import hashlib
+import json
 from collections import Counter
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from functools import cached_property
+from pathlib import Path
 from typing import NamedTuple
 
+from grounding.errors import ModelError
 from grounding.language.estimates import BackOff
-from grounding.language.heads import head_index, refined_tag
-from grounding.language.tags import RARE, TagModel
-from grounding.language.tree import Phrase, Word
+from grounding.language.events import ROOT, STOP, Child, Head, label_of, tree_events
+from grounding.language.tags import TagModel
+from grounding.language.tree import Phrase
 
-ROOT = "ROOT"
-STOP = ""
 START_TAGS = ("NP", "NPB", "S", "SQ", "VP")
 _NOVELTY = 1.0
+_FORMAT = "grounding grammar"
+_VERSION = 1
 
 
 class Symbol(NamedTuple):
@@ -42,6 +47,8 @@ class State(NamedTuple):
     """The phrase's tag."""
     label: str
     """The phrase's label."""
+    head: str
+    """The tag of its head child."""
     side: str
     """"R" while it takes children to the right of what it has, then "L"."""
     previous: str
@@ -49,27 +56,10 @@ class State(NamedTuple):
     bare: bool
     """Whether it has no child but the head so far, and that is a phrase."""
 
-
-class Child(NamedTuple):
-    """A counted event: a phrase got this child."""
-
-    tag: str
-    label: str
-    side: str
-    previous: str
-    child_tag: str
-    """The child's tag, or `STOP` when the side was complete."""
-    child_label: str
-
-
-class Head(NamedTuple):
-    """A counted event: a phrase got this head child."""
-
-    tag: str
-    label: str
-    child_tag: str
-    only: int
-    """1 where the head stayed the only child and is a phrase, else 0."""
+    @classmethod
+    def start(cls, tag: str, head: Symbol, is_phrase: bool) -> State:
+        """The state of a phrase that has its head only."""
+        return cls(tag, head.label, head.tag, "R", "^" + head.tag, is_phrase)
 
 
 @dataclass(frozen=True)
@@ -98,15 +88,67 @@ class Grammar:
         heads: Counter[Head] = Counter()
         children: Counter[Child] = Counter()
         for tree in treebank:
-            top, label = refined_tag(tree), _label(tree, words)
-            children[Child(ROOT, "", "R", "^", top, label)] += 1
-            for phrase in tree.preorder():
-                for event in _events(phrase, words):
-                    if isinstance(event, Head):
-                        heads[event] += 1
-                    else:
-                        children[event] += 1
+            for event in tree_events(tree, words):
+                if isinstance(event, Head):
+                    heads[event] += 1
+                else:
+                    children[event] += 1
         return cls(words, dict(sorted(heads.items())), dict(sorted(children.items())))
+
+    def to_json(self) -> str:
+        """The grammar as text: the same bytes for the same counts."""
+        content = {
+            "words": {word: dict(row) for word, row in self.words.counts.items()},
+            "heads": [[*event, count] for event, count in self.heads.items()],
+            "children": [[*event, count] for event, count in self.children.items()],
+        }
+        body = json.dumps(content, ensure_ascii=True, separators=(",", ":"))
+        opening = {"format": _FORMAT, "version": _VERSION, "sha256": hashlib.sha256(body.encode()).hexdigest()}
+        return json.dumps(opening)[:-1] + ',\n"content": ' + body.replace('],["', '],\n["') + "}\n"
+
+    @classmethod
+    def from_json(cls, text: str) -> Grammar:
+        """Read what `to_json` wrote.
+
+        Raises:
+            ModelError: the text is damaged, or of another version.
+        """
+        try:
+            document = json.loads(text)
+        except ValueError as error:
+            raise ModelError(f"the grammar is not JSON: {error}") from error
+        if not isinstance(document, dict) or document.get("format") != _FORMAT:
+            raise ModelError(f"expected a grammar with format {_FORMAT!r} and found something else")
+        if document.get("version") != _VERSION:
+            raise ModelError(f"expected a grammar of version {_VERSION} and found {document.get('version')!r}")
+        body = json.dumps(document.get("content"), ensure_ascii=True, separators=(",", ":"))
+        if hashlib.sha256(body.encode()).hexdigest() != document.get("sha256"):
+            raise ModelError("the grammar is damaged: its checksum does not fit its content")
+        try:
+            content = document["content"]
+            return cls(
+                TagModel(
+                    {str(word): {str(tag): int(n) for tag, n in row.items()} for word, row in content["words"].items()}
+                ),
+                {Head(*event): int(count) for *event, count in content["heads"]},
+                {Child(*event): int(count) for *event, count in content["children"]},
+            )
+        except (KeyError, TypeError, ValueError, AttributeError) as error:
+            raise ModelError(f"the grammar's content is not as expected: {error!r}") from error
+
+    @classmethod
+    def read(cls, path: Path) -> Grammar:
+        """Read a grammar file.
+
+        Raises:
+            ModelError: the file is missing, damaged, or of another version; names the file.
+        """
+        try:
+            return cls.from_json(path.read_text(encoding="utf-8"))
+        except OSError as error:
+            raise ModelError(f"the grammar {path} cannot be read: {error.strerror}") from error
+        except (ModelError, UnicodeDecodeError) as error:
+            raise ModelError(f"the grammar {path} cannot be used: {error}") from error
 
     @cached_property
     def phrase_tags(self) -> tuple[str, ...]:
@@ -141,7 +183,7 @@ class Grammar:
 
     def label(self, word: str, tag: str) -> str:
         """The label of a word with a tag."""
-        return f"{tag}:" if self.words.is_rare(word, tag) else f"{tag}:{word}"
+        return label_of(word, tag, self.words)
 
     def head_probability(self, tag: str, label: str, child_tag: str) -> float:
         """P(head child | phrase)."""
@@ -162,7 +204,9 @@ class Grammar:
 
     def share(self, symbol: Symbol) -> float:
         """How common a constituent is among all constituents with its kind of tag; for pruning."""
-        return self._labels.probability(((symbol.tag,),), symbol.label, self._base(symbol)) * self._tag_share[symbol.tag]
+        return (
+            self._labels.probability(((symbol.tag,),), symbol.label, self._base(symbol)) * self._tag_share[symbol.tag]
+        )
 
     def _base(self, symbol: Symbol) -> float:
         return 1.0 / (1.0 + self._label_kinds.get(symbol.tag, 0))
@@ -207,7 +251,7 @@ class Grammar:
 
 
 def _state(event: Child) -> State:
-    return State(event.tag, event.label, event.side, event.previous, False)
+    return State(event.tag, event.label, "", event.side, event.previous, False)
 
 
 def _head_contexts(tag: str, label: str) -> tuple[tuple[str, ...], ...]:
@@ -215,41 +259,18 @@ def _head_contexts(tag: str, label: str) -> tuple[tuple[str, ...], ...]:
 
 
 def _tag_contexts(state: State) -> tuple[tuple[str, ...], ...]:
-    tag, label, side, previous, _ = state
+    tag, label, _, side, previous, _ = state
     return ((tag, side), (tag, side, previous), (tag, side, previous, _kind(label)), (tag, side, previous, label))
 
 
 def _label_contexts(state: State, child_tag: str) -> tuple[tuple[str, ...], ...]:
-    tag, label, side, _, _ = state
+    tag, label, _, side, _, _ = state
     return ((child_tag,), (child_tag, tag, side), (child_tag, tag, side, label))
 
 
 def _kind(label: str) -> str:
     """The tag of a label's word, marked as such."""
     return label.partition(":")[0] + ":*"
-
-
-def _label(node: Phrase | Word, words: TagModel) -> str:
-    while isinstance(node, Phrase):
-        node = node.children[head_index(node.tag, node.children)]
-    return f"{node.tag}:" if words.is_rare(node.text, node.tag) else f"{node.tag}:{node.text}"
-
-
-def _refined(node: Phrase | Word) -> str:
-    return refined_tag(node) if isinstance(node, Phrase) else node.tag
-
-
-def _events(phrase: Phrase, words: TagModel) -> Iterator[Head | Child]:
-    tag, label, index = refined_tag(phrase), _label(phrase, words), head_index(phrase.tag, phrase.children)
-    head = phrase.children[index]
-    only = len(phrase.children) == 1 and isinstance(head, Phrase)
-    yield Head(tag, label, _refined(head), int(only))
-    for side, outwards in (("R", phrase.children[index + 1 :]), ("L", phrase.children[:index][::-1])):
-        previous = "^" + _refined(head)
-        for child in outwards:
-            yield Child(tag, label, side, previous, _refined(child), _label(child, words))
-            previous = _refined(child)
-        yield Child(tag, label, side, previous, STOP, "")
 
 
 def _reaches(chains: set[tuple[str, str]], start: str, goal: str) -> bool:

@@ -1,7 +1,8 @@
 """Heads of phrases, after Collins: the child that a phrase is about, and the word that this comes down to.
 
-The rules are those of M. Collins, "Head-driven statistical models for natural language parsing" (Computational Linguistics 29(4),
-2003), shortened to the phrases of instructions. As there, a noun phrase without phrases of its own is set apart from one that has some.
+The rules are those of M. Collins, "Head-driven statistical models for natural language parsing" (Computational
+Linguistics 29(4), 2003), shortened to the phrases of instructions. As there, a noun phrase without phrases of its own
+is set apart from one that has some.
 """
 
 from __future__ import annotations
@@ -13,7 +14,7 @@ from grounding.language.tree import Phrase, Word
 BASE_NP = "NPB"
 _NOUNS = ("NN", "NNS", "NNP", "NNPS")
 _NESTED = ("NP", "PP", "VP", "S", "SBAR")
-# Phrase tag -> the tags looked for, in this order of preference; the first child from the left that has the tag is the head.
+# Phrase tag -> the tags looked for, in order of preference; the first child from the left with the tag is the head.
 _FIRST = {
     "PP": (("IN", "TO"),),
     "VP": (("VB", "VBZ", "VBP", "VBD", "VBG", "VBN"), ("VP",), ("MD",)),

@@ -1,26 +1,41 @@
 """The grammar's rules as a chart parser wants them: small integers, looked up by the symbols being joined.
 
-Nothing is expanded in advance: a rule is worked out from the grammar's probabilities the first time a chart asks for it, and kept.
+Nothing is expanded in advance: a rule is worked out from the grammar's probabilities the first time a chart asks for
+it, and kept.
 """
 
 from __future__ import annotations
 
 from math import log
+from typing import NamedTuple
 
-from grounding.language.grammar import ROOT, Grammar, State, Symbol
+from grounding.language.events import ROOT
+from grounding.language.grammar import Grammar, State, Symbol
 
-Target = tuple[int, float]
-"""A state or symbol by number, and the log probability of the step to it."""
+Step = tuple[int, float]
+"""A state or symbol by number, and the log probability of getting there."""
 
-_NEVER: Target | None = None
+
+class Start(NamedTuple):
+    """A state that a symbol can be the head of."""
+
+    state: int
+    log_probability: float
+    grows: bool
+    """Whether it can take children to the right."""
+
+
+class Close(NamedTuple):
+    """What a state can become without further children on its side."""
+
+    symbol: Step | None
+    """The complete phrase, both sides closed."""
+    state: Step | None
+    """The state that takes children to the left, of a state whose right side closes."""
 
 
 class Rules:
-    """Numbered symbols and states of one grammar, and the steps between them.
-
-    A symbol starts a state as its head (`starts`); the state takes symbols to the right (`take`), closes its right side (`close`), takes
-    symbols to the left (`take` again) and becomes a symbol (`close` again).
-    """
+    """Numbered symbols and states of one grammar, and the steps between them."""
 
     def __init__(self, grammar: Grammar) -> None:
         self.grammar = grammar
@@ -30,14 +45,18 @@ class Rules:
         """Log of how common each symbol is: for pruning."""
         self.state_rank: list[float] = []
         """The same for the symbol that each state is to become."""
-        self.takes: list[dict[int, Target | None]] = []
+        self.depth: list[int] = []
+        """For each symbol, how long a chain of only children can be below it; 0 for words."""
+        self.takes: list[dict[int, Step | None]] = []
         """For each state, the steps worked out so far: symbol -> state after it."""
-        self.root = State(ROOT, "", "R", "^", False)
         self._symbol_numbers: dict[Symbol, int] = {}
         self._state_numbers: dict[State, int] = {}
-        self._starts: dict[int, tuple[Target, ...]] = {}
-        self._closes: dict[int, Target | None] = {}
+        self._starts: dict[int, tuple[Start, ...]] = {}
+        self._closes: dict[int, Close] = {}
         self._tops: dict[int, float | None] = {}
+        self._root = State(ROOT, "", "", "R", "^", False)
+        self._depths = _depths(grammar)
+        self.levels = 1 + max(self._depths.values(), default=0)
 
     def symbol(self, symbol: Symbol) -> int:
         """The number of a symbol."""
@@ -46,10 +65,40 @@ class Rules:
             number = self._symbol_numbers[symbol] = len(self.symbols)
             self.symbols.append(symbol)
             self.symbol_rank.append(log(self.grammar.share(symbol)))
+            self.depth.append(self._depths.get(symbol.tag, 0))
         return number
 
-    def state(self, state: State) -> int:
-        """The number of a state."""
+    def starts(self, symbol: int) -> tuple[Start, ...]:
+        """The states of which a symbol can be the head."""
+        steps = self._starts.get(symbol)
+        if steps is None:
+            steps = self._starts[symbol] = tuple(self._find_starts(self.symbols[symbol]))
+        return steps
+
+    def take(self, state: int, symbol: int) -> Step | None:
+        """The state after one more child, or None where the grammar has no such child there; kept in `takes`."""
+        before, child = self.states[state], self.symbols[symbol]
+        chance = self.grammar.child_probability(before, child)
+        after = before._replace(previous=child.tag, bare=False)
+        step = (self._state(after), log(chance)) if chance else None
+        self.takes[state][symbol] = step
+        return step
+
+    def close(self, state: int) -> Close:
+        """What a state can become when it takes no more children on its side."""
+        close = self._closes.get(state)
+        if close is None:
+            close = self._closes[state] = self._find_close(self.states[state])
+        return close
+
+    def top(self, symbol: int) -> float | None:
+        """Log probability of a whole sentence being this symbol; None where it cannot be."""
+        if symbol not in self._tops:
+            chance = self.grammar.child_probability(self._root, self.symbols[symbol])
+            self._tops[symbol] = log(chance) if chance else None
+        return self._tops[symbol]
+
+    def _state(self, state: State) -> int:
         number = self._state_numbers.get(state)
         if number is None:
             number = self._state_numbers[state] = len(self.states)
@@ -58,54 +107,41 @@ class Rules:
             self.takes.append({})
         return number
 
-    def starts(self, symbol: int) -> tuple[Target, ...]:
-        """The states of which a symbol can be the head."""
-        steps = self._starts.get(symbol)
-        if steps is None:
-            steps = self._starts[symbol] = tuple(self._starts_of(self.symbols[symbol]))
-        return steps
-
-    def take(self, state: int, symbol: int) -> Target | None:
-        """The state after one more child, or None where the grammar has no such child there."""
-        steps = self.takes[state]
-        if symbol not in steps:
-            steps[symbol] = self._take(self.states[state], self.symbols[symbol])
-        return steps[symbol]
-
-    def close(self, state: int) -> Target | None:
-        """What a state becomes when its side is complete: a left-sided state (right sides) or a symbol (left sides)."""
-        if state not in self._closes:
-            self._closes[state] = self._close(self.states[state])
-        return self._closes[state]
-
-    def top(self, symbol: int) -> float | None:
-        """Log probability of a whole sentence being this symbol; None where it cannot be."""
-        if symbol not in self._tops:
-            chance = self.grammar.child_probability(self.root, self.symbols[symbol])
-            self._tops[symbol] = log(chance) if chance else None
-        return self._tops[symbol]
-
-    def _starts_of(self, symbol: Symbol) -> list[Target]:
+    def _find_starts(self, head: Symbol) -> list[Start]:
         steps = []
-        is_phrase = symbol.tag in self.grammar.phrase_tags
-        for tag in self.grammar.mothers.get(symbol.tag, ()):
-            chance = self.grammar.head_probability(tag, symbol.label, symbol.tag)
+        is_phrase = head.tag in self.grammar.phrase_tags
+        for tag in self.grammar.mothers.get(head.tag, ()):
+            chance = self.grammar.head_probability(tag, head.label, head.tag)
             if chance:
-                steps.append((self.state(State(tag, symbol.label, "R", "^" + symbol.tag, is_phrase)), log(chance)))
+                state = self._state(State.start(tag, head, is_phrase))
+                steps.append(Start(state, log(chance), (tag, "R") in self.grammar.sides))
         return steps
 
-    def _take(self, state: State, symbol: Symbol) -> Target | None:
-        chance = self.grammar.child_probability(state, symbol)
-        if not chance:
-            return None
-        return self.state(state._replace(previous=symbol.tag, bare=False)), log(chance)
-
-    def _close(self, state: State) -> Target | None:
+    def _find_close(self, state: State) -> Close:
         chance = self.grammar.stop_probability(state)
         if not chance:
-            return None
+            return Close(None, None)
+        whole = not state.bare or (state.tag, state.head) in self.grammar.chains
+        symbol = self.symbol(Symbol(state.tag, state.label)) if whole else -1
         if state.side == "L":
-            if state.bare and (state.tag, state.previous[1:]) not in self.grammar.chains:
-                return None
-            return self.symbol(Symbol(state.tag, state.label)), log(chance)
-        return self.state(state._replace(side="L", previous=self._head_of(state))), log(chance)
+            return Close((symbol, log(chance)) if whole else None, None)
+        after = state._replace(side="L", previous="^" + state.head)
+        grows = (state.tag, "L") in self.grammar.sides
+        final = self.grammar.stop_probability(after)
+        return Close(
+            (symbol, log(chance * final)) if whole and final else None,
+            (self._state(after), log(chance)) if grows else None,
+        )
+
+
+def _depths(grammar: Grammar) -> dict[str, int]:
+    depths: dict[str, int] = {}
+
+    def depth(tag: str) -> int:
+        if tag not in depths:
+            depths[tag] = 1 + max((depth(lower) for upper, lower in grammar.chains if upper == tag), default=0)
+        return depths[tag]
+
+    for tag in grammar.phrase_tags:
+        depth(tag)
+    return depths

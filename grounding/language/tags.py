@@ -1,7 +1,7 @@
-"""Which Penn tags a word can have: log P(tag | word), from counts, and for words never seen from their shape and ending.
+"""Which Penn tags a word can have: log P(tag | word), from counts, and for new words from their shape.
 
-The ending model is that of T. Brants, "TnT - a statistical part-of-speech tagger" (ANLP 2000): the tags of rare words with the same
-ending, successively shorter, starting from the tags of all rare words.
+The ending model is that of T. Brants, "TnT - a statistical part-of-speech tagger" (ANLP 2000): the tags of rare words
+with the same ending, successively shorter, starting from the tags of all rare words.
 """
 
 from __future__ import annotations
@@ -22,7 +22,18 @@ _ENDING_WEIGHT = 2.0
 _SHAPE_WEIGHT = 4.0
 _UNKNOWN_WEIGHT = 0.3
 # What English would add to a small treebank: weights of tags for words never seen, and of tags for endings.
-_OPEN_CLASSES = {"NN": 4.0, "NNS": 2.0, "JJ": 3.0, "VB": 2.0, "JJS": 0.5, "RB": 0.7, "IN": 0.7, "VBG": 0.3, "VBN": 0.3, "CD": 0.2}
+_OPEN_CLASSES = {
+    "NN": 4.0,
+    "NNS": 2.0,
+    "JJ": 3.0,
+    "VB": 2.0,
+    "JJS": 0.5,
+    "RB": 0.7,
+    "IN": 0.7,
+    "VBG": 0.3,
+    "VBN": 0.3,
+    "CD": 0.2,
+}
 _ENDINGS = {
     "s": ("NNS", 3.0),
     "ss": ("NN", 6.0),
@@ -88,7 +99,7 @@ class TagModel:
         return self.counts.get(word, {}).get(tag, 0) < RARE
 
     def log_probabilities(self, word: str) -> dict[str, float]:
-        """log P(tag | word) for every tag that the word can have.
+        """Log P(tag | word) for every tag that the word can have.
 
         Args:
             word: in lower case; known or not.
@@ -103,7 +114,7 @@ class TagModel:
         return {tag: log(mixed[tag] / (total + weight)) for tag in sorted(mixed)}
 
     def log_emission(self, word: str, tag: str, log_probability: float) -> float:
-        """log P(word | tag) for a word that is rare with this tag, by Bayes' rule.
+        """Log P(word | tag) for a word that is rare with this tag, by Bayes' rule.
 
         Args:
             word: the word.

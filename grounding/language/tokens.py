@@ -1,7 +1,7 @@
 """From text to tokens: words, numbers, clitics and punctuation marks, each with its place in the text.
 
-Follows the conventions of the Penn treebank where they matter here: clitics are tokens of their own ("it's" is "it" and "'s"), words
-with inner hyphens are not split ("right-hand").
+Follows the conventions of the Penn treebank where they matter here: clitics are tokens of their own ("it's" is "it" and
+"'s"), words with inner hyphens are not split ("right-hand").
 """
 
 from __future__ import annotations
@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 import unicodedata
 from dataclasses import dataclass
+from itertools import pairwise
 
 from grounding.errors import LanguageError
 
@@ -16,7 +17,9 @@ SENTENCE_ENDS = frozenset(".!?;…。！？")
 _APOSTROPHES = "'’‘ʼ＇`´"
 _HYPHENS = "-‐‑‒"
 _TOKEN = re.compile(rf"\d+(?:[.,]\d+)+|\w+(?:[{_APOSTROPHES}{_HYPHENS}]\w+)*|\S")
-_CLITIC = re.compile(rf"(?P<stem>.+?)(?P<clitic>n[{_APOSTROPHES}]t|[{_APOSTROPHES}](?:s|d|m|ll|re|ve))\Z", re.IGNORECASE)
+_CLITIC = re.compile(
+    rf"(?P<stem>.+?)(?P<clitic>n[{_APOSTROPHES}]t|[{_APOSTROPHES}](?:s|d|m|ll|re|ve))\Z", re.IGNORECASE
+)
 _PLAIN = re.compile(r"[\w'.,\-]+\Z")
 _FOLD = str.maketrans({**dict.fromkeys(_APOSTROPHES, "'"), **dict.fromkeys(_HYPHENS, "-")})
 
@@ -65,7 +68,7 @@ def tokenize(text: str) -> tuple[Token, ...]:
         start, end = match.span()
         clitic = _CLITIC.match(match.group())
         cuts = [start, start + clitic.start("clitic"), end] if clitic else [start, end]
-        for first, last in zip(cuts, cuts[1:], strict=False):
+        for first, last in pairwise(cuts):
             original = text[first:last]
             if any(_visible(character) for character in original):
                 tokens.append(Token(_normal(original), original, first, last))

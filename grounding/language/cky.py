@@ -1,0 +1,200 @@
+"""Weighted CKY over the markovised grammar: from tagged words to a packed forest.
+
+Phrases grow from their heads, to the right, then to the left, one child at a time, so that every rule joins two
+neighbours. Each cell of the chart keeps unfinished phrases open to the right, unfinished phrases open to the left, and
+constituents; those far worse than the best in their cell are dropped.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from grounding.language.forest import Edge, Node
+from grounding.language.grammar import Symbol
+from grounding.language.heads import plain_tag
+from grounding.language.rules import Rules
+from grounding.language.tree import Word
+
+FRAGMENT = "FRAG"
+Table = dict[int, Node]
+
+
+@dataclass(frozen=True)
+class Lexeme:
+    """A word with one of its tags.
+
+    Attributes:
+        word: the leaf.
+        label: the word's label in the grammar.
+        log_probability: log P(word | tag, label).
+    """
+
+    word: Word
+    label: str
+    log_probability: float
+
+
+@dataclass(frozen=True)
+class Beam:
+    """How much of the chart is kept.
+
+    Attributes:
+        width: a node is dropped when it is worse than the best of its cell by more than this, as log probability.
+        size: at most so many constituents, and so many unfinished phrases on each side, stay in a cell.
+        span: no constituent has more words than this.
+    """
+
+    width: float = 11.0
+    size: int = 12
+    span: int = 40
+
+
+@dataclass(frozen=True)
+class Cover:
+    """Log probabilities, beside a constituent's own, of its being one piece of a text that does not parse whole.
+
+    Attributes:
+        phrase: of a phrase.
+        word: of a single word.
+    """
+
+    phrase: float = -8.0
+    word: float = -14.0
+
+
+def parse_forest(rules: Rules, sentence: Sequence[Sequence[Lexeme]], beam: Beam, cover: Cover) -> tuple[Node, bool]:
+    """Parse one sentence.
+
+    Args:
+        rules: of the grammar.
+        sentence: at least one word; for each, at least one reading.
+        beam: how much to keep.
+        cover: weights for sentences that do not parse whole.
+
+    Returns:
+        the root, and whether the grammar covers the sentence; where it does not, all roots are phrases `FRAGMENT` over
+        the best pieces.
+    """
+    chart = _fill(rules, sentence, beam)
+    size = len(sentence)
+    edges: list[Edge] = []
+    for symbol, node in chart[0][size].items():
+        weight = rules.top(symbol)
+        if weight is not None:
+            edges.append((weight, node, None))
+    if edges:
+        return Node(max(weight + node.score for weight, node, _ in edges), edges), True
+    return _cover(rules, chart, size, cover), False
+
+
+def _fill(rules: Rules, sentence: Sequence[Sequence[Lexeme]], beam: Beam) -> list[list[Table]]:
+    """All constituents, by first word and by the word after the last."""
+    size = len(sentence)
+    complete: list[list[Table]] = [[{} for _ in range(size + 1)] for _ in range(size + 1)]
+    rightwards: list[list[Table]] = [[{} for _ in range(size + 1)] for _ in range(size + 1)]
+    leftwards: list[list[Table]] = [[{} for _ in range(size + 1)] for _ in range(size + 1)]
+    for end in range(1, size + 1):
+        for start in range(end - 1, max(-1, end - 1 - beam.span), -1):
+            whole, right, left = complete[start][end], rightwards[start][end], leftwards[start][end]
+            if end - start == 1:
+                for reading in sentence[start]:
+                    symbol = rules.symbol(Symbol(reading.word.tag, reading.label))
+                    whole[symbol] = Node(reading.log_probability, [], reading.word)
+            else:
+                for middle in range(start + 1, end):
+                    if rightwards[start][middle] and complete[middle][end]:
+                        _extend_right(rules, rightwards[start][middle], complete[middle][end], right)
+                    if leftwards[middle][end] and complete[start][middle]:
+                        _extend_left(rules, complete[start][middle], leftwards[middle][end], left)
+                if not right and not left:
+                    continue
+                _prune(right, rules.state_rank, beam)
+                _prune(left, rules.state_rank, beam)
+                for table in (right, left):
+                    for state, node in list(table.items()):
+                        _close(rules, state, node, whole, left)
+                _prune(whole, rules.symbol_rank, beam)
+            _start(rules, whole, right, left)
+    return complete
+
+
+def _extend_right(rules: Rules, states: Table, symbols: Table, target: Table) -> None:
+    for state, node in states.items():
+        steps = rules.takes[state]
+        for symbol, child in symbols.items():
+            step = steps[symbol] if symbol in steps else rules.take(state, symbol)
+            if step is not None:
+                _add(target, step[0], step[1], node, child)
+
+
+def _extend_left(rules: Rules, symbols: Table, states: Table, target: Table) -> None:
+    for state, node in states.items():
+        steps = rules.takes[state]
+        for symbol, child in symbols.items():
+            step = steps[symbol] if symbol in steps else rules.take(state, symbol)
+            if step is not None:
+                _add(target, step[0], step[1], child, node)
+
+
+def _add(
+    table: Table, number: int, weight: float, first: Node, second: Node | None, content: str | None = None
+) -> None:
+    score = weight + first.score + (second.score if second is not None else 0.0)
+    node = table.get(number)
+    if node is None:
+        table[number] = Node(score, [(weight, first, second)], content)
+    else:
+        node.edges.append((weight, first, second))
+        if score > node.score:
+            node.score = score
+
+
+def _close(rules: Rules, state: int, node: Node, whole: Table, left: Table) -> None:
+    symbol, after = rules.close(state)
+    if symbol is not None:
+        _add(whole, symbol[0], symbol[1], node, None, plain_tag(rules.symbols[symbol[0]].tag))
+    if after is not None:
+        _add(left, after[0], after[1], node, None)
+
+
+def _start(rules: Rules, whole: Table, right: Table, left: Table) -> None:
+    """Make every constituent of a cell the head of what it can be, constituents that this makes included."""
+    for level in range(rules.levels):
+        for symbol in [symbol for symbol in whole if rules.depth[symbol] == level]:
+            node = whole[symbol]
+            for state, weight, grows in rules.starts(symbol):
+                part = Node(weight + node.score, [(weight, node, None)])
+                if grows:
+                    right[state] = part
+                _close(rules, state, part, whole, left)
+
+
+def _prune(table: Table, rank: list[float], beam: Beam) -> None:
+    if len(table) < 2:
+        return
+    scores = sorted(((node.score + rank[number], number) for number, node in table.items()), reverse=True)
+    limit = scores[0][0] - beam.width
+    for place, (score, number) in enumerate(scores):
+        if score < limit or place >= beam.size:
+            del table[number]
+
+
+def _cover(rules: Rules, chart: list[list[Table]], size: int, cover: Cover) -> Node:
+    """The best ways of covering a sentence by pieces."""
+    covers: list[Node | None] = [None] * (size + 1)
+    for end in range(1, size + 1):
+        edges: list[Edge] = []
+        for start in range(end):
+            before = covers[start]
+            for symbol, node in chart[start][end].items():
+                weight = rules.symbol_rank[symbol] + (cover.phrase if rules.depth[symbol] else cover.word)
+                if before is not None:
+                    edges.append((weight, before, node))
+                elif start == 0:
+                    edges.append((weight, node, None))
+        best = max(weight + one.score + (two.score if two else 0.0) for weight, one, two in edges)
+        covers[end] = Node(best, edges)
+    last = covers[size]
+    assert last is not None
+    return Node(last.score, [(0.0, last, None)], FRAGMENT)

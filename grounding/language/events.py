@@ -1,0 +1,70 @@
+"""What a grammar counts in a tree: which phrase has which head, and which children on each side of it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from grounding.language.heads import head_index, refined_tag
+from grounding.language.tags import TagModel
+from grounding.language.tree import Phrase, Word
+
+ROOT = "ROOT"
+STOP = ""
+
+
+class Child(NamedTuple):
+    """A counted event: a phrase got this child."""
+
+    tag: str
+    label: str
+    side: str
+    previous: str
+    child_tag: str
+    """The child's tag, or `STOP` when the side was complete."""
+    child_label: str
+
+
+class Head(NamedTuple):
+    """A counted event: a phrase got this head child."""
+
+    tag: str
+    label: str
+    child_tag: str
+    only: int
+    """1 where the head stayed the only child and is a phrase, else 0."""
+
+
+def label_of(word: str, tag: str, words: TagModel) -> str:
+    """The label of a word with a tag: "NN:block", or "NN:" for rare words."""
+    return f"{tag}:" if words.is_rare(word, tag) else f"{tag}:{word}"
+
+
+def tree_events(tree: Phrase, words: TagModel) -> Iterator[Head | Child]:
+    """All events of a tree, its being a whole sentence included."""
+    yield Child(ROOT, "", "R", "^", refined_tag(tree), _label(tree, words))
+    for phrase in tree.preorder():
+        yield from _phrase_events(phrase, words)
+
+
+def _label(node: Phrase | Word, words: TagModel) -> str:
+    while isinstance(node, Phrase):
+        node = node.children[head_index(node.tag, node.children)]
+    return label_of(node.text, node.tag, words)
+
+
+def _refined(node: Phrase | Word) -> str:
+    return refined_tag(node) if isinstance(node, Phrase) else node.tag
+
+
+def _phrase_events(phrase: Phrase, words: TagModel) -> Iterator[Head | Child]:
+    tag, label, index = refined_tag(phrase), _label(phrase, words), head_index(phrase.tag, phrase.children)
+    head = phrase.children[index]
+    only = len(phrase.children) == 1 and isinstance(head, Phrase)
+    yield Head(tag, label, _refined(head), int(only))
+    for side, outwards in (("R", phrase.children[index + 1 :]), ("L", phrase.children[:index][::-1])):
+        previous = "^" + _refined(head)
+        for child in outwards:
+            yield Child(tag, label, side, previous, _refined(child), _label(child, words))
+            previous = _refined(child)
+        yield Child(tag, label, side, previous, STOP, "")

@@ -1,0 +1,159 @@
+"""From text to its best parses: tokens, tags, chart, trees."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from math import exp
+from pathlib import Path
+
+import models
+from grounding.errors import LanguageError
+from grounding.language.cky import FRAGMENT, Beam, Cover, Lexeme, parse_forest
+from grounding.language.forest import Node
+from grounding.language.grammar import Grammar
+from grounding.language.rules import Rules
+from grounding.language.tokens import Token, tokenize
+from grounding.language.tree import Phrase, Word
+
+_TAG_BEAM = 4.0
+"""Tags less likely for a word than its best by more than this, as log probability, are not tried."""
+_DUPLICATES = 4
+"""Look at up to so many derivations for every tree wanted: some derivations give the same tree."""
+
+
+@dataclass(frozen=True)
+class Parse:
+    """One reading of a text.
+
+    Attributes:
+        tree: the phrase tree, without punctuation; a phrase 'FRAG' over the pieces where the grammar does not cover the
+            text, and over the sentences where there are several.
+        log_probability: of the tree with its words.
+        probability: among the readings returned with this one; they sum to 1.
+        unknown_words: words that the grammar's treebank does not have, in order.
+        complete: whether the grammar covers every sentence of the text.
+    """
+
+    tree: Phrase
+    log_probability: float
+    probability: float
+    unknown_words: tuple[str, ...]
+    complete: bool
+
+
+class Parser:
+    """Parses with one grammar; keeps what it has worked out about the rules."""
+
+    def __init__(self, grammar: Grammar, *, beam: Beam | None = None, cover: Cover | None = None) -> None:
+        """Parse with a grammar.
+
+        Args:
+            grammar: learned from at least one tree.
+            beam: how much of the chart is kept.
+            cover: weights for texts that do not parse whole.
+
+        Raises:
+            LanguageError: the grammar is empty.
+        """
+        if not grammar.heads:
+            raise LanguageError("expected a grammar learned from at least one tree and found an empty one")
+        self.grammar = grammar
+        self._beam = beam or Beam()
+        self._cover = cover or Cover()
+        self._rules = Rules(grammar)
+
+    @classmethod
+    def load(cls, path: Path = models.GRAMMAR) -> Parser:
+        """Read the shipped grammar, or another.
+
+        Raises:
+            ModelError: the file is missing, damaged or of another version.
+        """
+        return cls(Grammar.read(path))
+
+    def parse(self, text: str, k: int = 4) -> tuple[Parse, ...]:
+        """Parse a text.
+
+        Args:
+            text: one or several sentences.
+            k: how many readings are wanted, at least 1.
+
+        Returns:
+            one to k readings with different trees, best first.
+
+        Raises:
+            LanguageError: there is no word in the text.
+        """
+        if k < 1:
+            raise LanguageError(f"expected at least one reading to be asked for and found k={k}")
+        sentences = split_sentences(tokenize(text))
+        if not sentences:
+            raise LanguageError(f"expected an instruction and found a text without words: {text[:40]!r}")
+        roots, whole, count = [], True, 0
+        for sentence in sentences:
+            lexemes = [self._readings(token.text, count + index) for index, token in enumerate(sentence)]
+            count += len(sentence)
+            root, complete = parse_forest(self._rules, lexemes, self._beam, self._cover)
+            roots.append(root)
+            whole &= complete
+        trees = _best_trees(_join(roots), k)
+        unknown = tuple(
+            token.text for sentence in sentences for token in sentence if not self.grammar.words.is_known(token.text)
+        )
+        total = sum(exp(score - trees[0][1]) for _, score in trees)
+        return tuple(Parse(tree, score, exp(score - trees[0][1]) / total, unknown, whole) for tree, score in trees)
+
+    def _readings(self, word: str, index: int) -> list[Lexeme]:
+        model = self.grammar.words
+        chances = model.log_probabilities(word)
+        limit = max(chances.values()) - _TAG_BEAM
+        readings = []
+        for tag, chance in chances.items():
+            if chance >= limit:
+                emission = model.log_emission(word, tag, chance) if model.is_rare(word, tag) else 0.0
+                readings.append(Lexeme(Word(word, tag, index), self.grammar.label(word, tag), emission))
+        return readings
+
+
+def split_sentences(tokens: Sequence[Token]) -> tuple[tuple[Token, ...], ...]:
+    """The words of each sentence, without punctuation; sentences without words are left out."""
+    sentences: list[list[Token]] = [[]]
+    for token in tokens:
+        if token.ends_sentence:
+            sentences.append([])
+        elif token.is_word:
+            sentences[-1].append(token)
+    return tuple(tuple(sentence) for sentence in sentences if sentence)
+
+
+def _join(roots: list[Node]) -> Node:
+    """One root over the sentences."""
+    if len(roots) == 1:
+        return roots[0]
+    joined = roots[0]
+    for root in roots[1:]:
+        joined = Node(joined.score + root.score, [(0.0, joined, root)])
+    return Node(joined.score, [(0.0, joined, None)], FRAGMENT)
+
+
+def _best_trees(root: Node, k: int) -> list[tuple[Phrase, float]]:
+    trees: dict[Phrase, float] = {}
+    for rank in range(_DUPLICATES * k):
+        score = root.derivation(rank)
+        if score is None or len(trees) == k:
+            break
+        (tree,) = root.children(rank)
+        assert isinstance(tree, Phrase)
+        trees.setdefault(_flat(tree), score)
+    return list(trees.items())
+
+
+def _flat(tree: Phrase) -> Phrase:
+    """The tree with the pieces of pieces directly below the root."""
+    if tree.tag != FRAGMENT or not any(child.tag == FRAGMENT for child in tree.phrases):
+        return tree
+    children: list[Phrase | Word] = []
+    for child in tree.children:
+        children.extend(child.children if isinstance(child, Phrase) and child.tag == FRAGMENT else [child])
+    return Phrase(FRAGMENT, tuple(children))
