@@ -1,5 +1,7 @@
 """The exceptions of this package. Every message names what was wrong, where, and what would be right."""
 
+from collections.abc import Sequence
+
 
 class GroundingError(Exception):
     """Root of everything that `grounding` raises on purpose."""
@@ -27,3 +29,15 @@ class CorpusError(GroundingError):
 
 class ModelError(GroundingError):
     """Weights or a grammar on disk that are missing, damaged or of another version."""
+
+
+class CorpusErrors(CorpusError):
+    """Everything that was refused in a corpus, where reading went on after the first.
+
+    Attributes:
+        problems: one error each, in the order of the files and lines.
+    """
+
+    def __init__(self, problems: Sequence[CorpusError]) -> None:
+        self.problems = tuple(problems)
+        super().__init__("\n".join(str(problem) for problem in self.problems))

@@ -1,0 +1,41 @@
+"""What a reader does with a refusal: stop at the first, or note it and go on."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+from grounding.errors import CorpusError, CorpusErrors, GroundingError
+
+
+class Problems:
+    """Refusals met while reading.
+
+    Attributes:
+        keep_going: note them and go on, instead of raising the first.
+        found: so far.
+    """
+
+    def __init__(self, keep_going: bool) -> None:
+        self.keep_going = keep_going
+        self.found: list[CorpusError] = []
+        self._raised: CorpusError | None = None
+
+    @contextmanager
+    def at(self, place: str) -> Iterator[None]:
+        """Read one element; a refusal inside is named after `place`, the innermost one where several are entered."""
+        try:
+            yield
+        except GroundingError as error:
+            if error is self._raised:
+                raise
+            problem = CorpusError(f"{place}: {error}")
+            if not self.keep_going:
+                self._raised = problem
+                raise problem from error
+            self.found.append(problem)
+
+    def finish(self) -> None:
+        """Raise what was noted, if anything."""
+        if self.found:
+            raise CorpusErrors(self.found)
