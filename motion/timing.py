@@ -1,0 +1,181 @@
+"""From a path to a timed trajectory: jerk-limited, all joints together, without stopping on the way.
+
+A path is a clamped cubic B-spline over its waypoints (twice continuously differentiable, straight where the waypoints are), and
+one Ruckig profile (Berscheid and Kröger, 2021) runs along it. For a straight line that is Ruckig's phase-synchronised profile;
+for a curve the profile is slowed by the one factor that brings every joint within its limits.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+import ruckig
+
+from motion.errors import LimitViolation
+from motion.poses import Array, frozen
+from motion.recipe import JointLimits, recipe
+
+_KNOT_SPACING = 0.12
+_TOLERANCE = 1e-3
+
+
+@dataclass(frozen=True, eq=False)
+class Trajectory:
+    """Joints of one arm over time, sampled.
+
+    Attributes:
+        period: time between two samples, seconds.
+        positions: (n, 7) radians, n at least 1.
+        velocities: (n, 7) rad/s.
+        accelerations: (n, 7) rad/s².
+    """
+
+    period: float
+    positions: Array
+    velocities: Array
+    accelerations: Array
+
+    def __post_init__(self) -> None:
+        for name in ("positions", "velocities", "accelerations"):
+            object.__setattr__(self, name, frozen(getattr(self, name)))
+
+    @property
+    def duration(self) -> float:
+        """Seconds from the first sample to the last."""
+        return self.period * (len(self.positions) - 1)
+
+
+def sampling_period() -> float:
+    """Time between two samples of every trajectory: the simulator's time step, seconds."""
+    return float(recipe().contact["timestep"])
+
+
+def rest(joints: Array, duration: float = 0.0) -> Trajectory:
+    """Standing still at `joints` (7,) for `duration` seconds."""
+    count = round(duration / sampling_period()) + 1
+    zeros = np.zeros((count, 7))
+    return Trajectory(sampling_period(), np.tile(joints, (count, 1)), zeros, zeros)
+
+
+def timed(path: Sequence[Array], limits: JointLimits, speed: float = 1.0) -> Trajectory:
+    """The quickest trajectory of this family along `path`, from rest to rest.
+
+    Args:
+        path: waypoints, (7,) radians each; the curve cuts corners by less than the spacing of its knots (0.12 rad).
+        limits: velocity, acceleration and jerk of each joint.
+        speed: fraction of the limits to use, in (0, 1].
+    """
+    if max(float(np.max(np.abs(waypoint - path[0]))) for waypoint in path) < 1e-9:
+        return rest(path[-1])
+    spline = _Spline(path)
+    fine = spline.evaluate(np.linspace(0, 1, 8 * spline.pieces + 1))
+    slope = np.maximum(np.max(np.abs(fine[1]), axis=0), 1e-9)
+    velocity = speed * 0.999 * float(np.min(limits.velocity / slope))
+    acceleration = speed * 0.999 * float(np.min(limits.acceleration / slope))
+    jerk = speed * 0.999 * float(np.min(limits.jerk / slope))
+    for _ in range(4):
+        s, ds, dds, ddds = _profile(velocity, acceleration, jerk)
+        q, d1, d2, d3 = spline.evaluate(s)
+        qd = d1 * ds[:, None]
+        qdd = d1 * dds[:, None] + d2 * ds[:, None] ** 2
+        qddd = d1 * ddds[:, None] + 3 * d2 * (ds * dds)[:, None] + d3 * ds[:, None] ** 3
+        factor = max(
+            float(np.max(np.abs(qd) / limits.velocity)),
+            float(np.max(np.abs(qdd) / limits.acceleration)) ** (1 / 2),
+            float(np.max(np.abs(qddd) / limits.jerk)) ** (1 / 3),
+        )
+        if factor <= 1.0:
+            break
+        factor *= 1.002
+        velocity, acceleration, jerk = velocity / factor, acceleration / factor**2, jerk / factor**3
+    q[0], q[-1], qd[-1], qdd[-1] = path[0], path[-1], 0.0, 0.0
+    return Trajectory(sampling_period(), q, qd, qdd)
+
+
+def check_limits(trajectory: Trajectory, names: Sequence[str], lower: Array, upper: Array, limits: JointLimits) -> None:
+    """Checks every sample, and the differences between samples, against the limits.
+
+    Raises:
+        LimitViolation: naming the joint, the quantity, the value and the limit.
+    """
+    positions = trajectory.positions
+    outside = np.maximum(lower - positions, positions - upper).max(axis=0)
+    worst = int(np.argmax(outside))
+    if outside[worst] > 1e-6:
+        column = positions[:, worst]
+        below = lower[worst] - column.min() > column.max() - upper[worst]
+        value, limit = (column.min(), lower[worst]) if below else (column.max(), upper[worst])
+        raise LimitViolation(names[worst], "position", float(value), float(limit))
+    rates = {"velocity": trajectory.velocities, "acceleration": trajectory.accelerations}
+    if len(positions) > 1:
+        rates["jerk"] = np.diff(trajectory.accelerations, axis=0) / trajectory.period
+        steps = np.diff(positions, axis=0) / trajectory.period
+        rates["velocity"] = np.vstack([rates["velocity"], steps])
+    for quantity, values in rates.items():
+        limit = getattr(limits, quantity)
+        peak = np.max(np.abs(values), axis=0)
+        joint = int(np.argmax(peak / limit))
+        if peak[joint] > limit[joint] * (1 + _TOLERANCE):
+            raise LimitViolation(names[joint], quantity, float(peak[joint]), float(limit[joint]))
+
+
+def _profile(velocity: float, acceleration: float, jerk: float) -> tuple[Array, Array, Array, Array]:
+    """Ruckig's profile from 0 to 1, from rest to rest: s and its three derivatives, sampled."""
+    problem = ruckig.InputParameter(1)
+    problem.current_position, problem.target_position = [0.0], [1.0]
+    problem.max_velocity, problem.max_acceleration, problem.max_jerk = [velocity], [acceleration], [jerk]
+    solution = ruckig.Trajectory(1)
+    ruckig.Ruckig(1).calculate(problem, solution)
+    count = int(np.ceil(solution.duration / sampling_period() - 1e-9)) + 1
+    rows = np.empty((4, count))
+    for k in range(count):
+        position, speed, change = solution.at_time(min(k * sampling_period(), solution.duration))
+        rows[:3, k] = position[0], speed[0], change[0]
+    rows[3] = np.append(np.diff(rows[2]) / sampling_period(), 0.0)
+    return rows[0], rows[1], rows[2], rows[3]
+
+
+class _Spline:
+    """Clamped uniform cubic B-spline on [0, 1] along a polyline, with three derivatives.
+
+    Its control points lie on the polyline at the knots' Greville abscissae (Schoenberg's approximation), so that a straight
+    polyline is run through at constant speed.
+    """
+
+    def __init__(self, path: Sequence[Array]) -> None:
+        waypoints = np.array(path, dtype=np.float64)
+        lengths = np.linalg.norm(np.diff(waypoints, axis=0), axis=1)
+        kept = np.concatenate([[True], lengths > 1e-9])
+        waypoints, lengths = waypoints[kept], lengths[kept[1:]]
+        along = np.concatenate([[0.0], np.cumsum(lengths)]) / lengths.sum()
+        pieces = max(1, int(np.ceil(lengths.sum() / _KNOT_SPACING))) if len(waypoints) > 2 else 1
+        self.pieces = pieces
+        self._knots = np.concatenate([np.zeros(3), np.linspace(0, 1, pieces + 1), np.ones(3)])
+        greville = (self._knots[1:-3] + self._knots[2:-2] + self._knots[3:-1]) / 3
+        points = np.column_stack([np.interp(greville, along, column) for column in waypoints.T])
+        self._control = [points]
+        for degree in (3, 2, 1):
+            previous, knots = self._control[-1], self._knots[3 - degree : len(self._knots) - (3 - degree)]
+            spans = knots[degree + 1 : degree + len(previous)] - knots[1 : len(previous)]
+            self._control.append(degree * np.diff(previous, axis=0) / np.maximum(spans, 1e-12)[:, None])
+
+    def evaluate(self, s: Array) -> tuple[Array, Array, Array, Array]:
+        """Position and three derivatives with respect to s at (n,) places, (n, 7) each."""
+        s = np.clip(s, 0.0, 1.0)
+        count = len(self._control[0])
+        span = np.clip(np.searchsorted(self._knots, s, side="right") - 1, 3, count - 1)
+        return tuple(self._value(self._control[k], 3 - k, k, s, span) for k in range(4))  # type: ignore[return-value]
+
+    def _value(self, control: Array, degree: int, trimmed: int, s: Array, span: Array) -> Array:
+        """De Boor's algorithm on the derivative's control points, whose knots lose `trimmed` at either end."""
+        knots = self._knots[trimmed : len(self._knots) - trimmed]
+        span = span - trimmed
+        d = [control[span - degree + j] for j in range(degree + 1)]
+        for r in range(1, degree + 1):
+            for j in range(degree, r - 1, -1):
+                left, right = knots[span - degree + j], knots[span + 1 + j - r]
+                t = ((s - left) / np.maximum(right - left, 1e-12))[:, None]
+                d[j] = (1 - t) * d[j - 1] + t * d[j]
+        return d[degree]
