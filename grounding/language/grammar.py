@@ -13,7 +13,7 @@ from __future__ import annotations
 import hashlib
 import json
 from collections import Counter
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -21,7 +21,7 @@ from typing import NamedTuple
 
 from grounding.errors import ModelError
 from grounding.language.estimates import BackOff
-from grounding.language.events import ROOT, STOP, Child, Head, label_of, tree_events
+from grounding.language.events import OBJECT, ROOT, STOP, Child, Head, label_of, split_label, tree_events
 from grounding.language.tags import TagModel
 from grounding.language.tree import Phrase
 
@@ -55,11 +55,13 @@ class State(NamedTuple):
     """The tag of the child before on this side, or "^" and the tag of the head."""
     bare: bool
     """Whether it has no child but the head so far, and that is a phrase."""
+    object: str = ""
+    """The label of a preposition's object, once it is there."""
 
     @classmethod
     def start(cls, tag: str, head: Symbol, is_phrase: bool) -> State:
         """The state of a phrase that has its head only."""
-        return cls(tag, head.label, head.tag, "R", "^" + head.tag, is_phrase)
+        return cls(tag, split_label(head.label)[0], head.tag, "R", "^" + head.tag, is_phrase)
 
 
 @dataclass(frozen=True)
@@ -193,10 +195,22 @@ class Grammar:
         """P(next child | phrase under construction); 0 where the phrase never has such a child on this side."""
         if state.tag == ROOT and child.tag not in START_TAGS:
             return 0.0
-        chance = self._tags.probability(_tag_contexts(state), child.tag, 0.02 if state.tag == ROOT else 0.0)
+        takes_object = awaits_object(state, child.tag)
+        outcome = "NP" if takes_object else child.tag
+        chance = self._tags.probability(_tag_contexts(state), outcome, 0.02 if state.tag == ROOT else 0.0)
         if chance == 0.0:
             return 0.0
-        return chance * self._labels.probability(_label_contexts(state, child.tag), child.label, self._base(child))
+        if takes_object:
+            return chance * self._objects.probability(_shape_contexts(state.label, child.label), child.tag, 0.5)
+        return chance * self._label_probability(state, child)
+
+    def _label_probability(self, state: State, child: Symbol) -> float:
+        label, object_label = split_label(child.label)
+        chance = self._labels.probability(_label_contexts(state, child.tag), label, self._base(child))
+        if object_label:
+            contexts = _object_contexts(state, label)
+            chance *= self._objects.probability(contexts, object_label, self._base(Symbol(OBJECT, "")))
+        return chance
 
     def stop_probability(self, state: State) -> float:
         """P(no further child on this side | phrase under construction)."""
@@ -204,9 +218,11 @@ class Grammar:
 
     def share(self, symbol: Symbol) -> float:
         """How common a constituent is among all constituents with its kind of tag; for pruning."""
-        return (
-            self._labels.probability(((symbol.tag,),), symbol.label, self._base(symbol)) * self._tag_share[symbol.tag]
-        )
+        label, object_label = split_label(symbol.label)
+        chance = self._labels.probability(((symbol.tag,),), label, self._base(symbol)) * self._tag_share[symbol.tag]
+        if object_label:
+            chance *= self._objects.probability(((OBJECT,),), object_label, self._base(Symbol(OBJECT, "")))
+        return chance
 
     def _base(self, symbol: Symbol) -> float:
         return 1.0 / (1.0 + self._label_kinds.get(symbol.tag, 0))
@@ -224,7 +240,11 @@ class Grammar:
 
     @cached_property
     def _label_kinds(self) -> Mapping[str, int]:
-        kinds = {(event.child_tag, event.child_label) for event in self.children}
+        kinds = set()
+        for event in self.children:
+            label, object_label = split_label(event.child_label)
+            kinds.add((event.child_tag, label))
+            kinds.add((OBJECT, object_label))
         return Counter(tag for tag, _ in sorted(kinds))
 
     @cached_property
@@ -237,21 +257,52 @@ class Grammar:
     @cached_property
     def _tags(self) -> BackOff:
         return BackOff(
-            ((_tag_contexts(_state(event)), event.child_tag, count) for event, count in self.children.items()), _NOVELTY
+            (
+                (_tag_contexts(_state(event)), "NP" if event.child_label.startswith(OBJECT) else event.child_tag, count)
+                for event, count in self.children.items()
+            ),
+            _NOVELTY,
         )
 
     @cached_property
     def _labels(self) -> BackOff:
         events = (
-            (_label_contexts(_state(event), event.child_tag), event.child_label, float(count))
+            (_label_contexts(_state(event), event.child_tag), split_label(event.child_label)[0], float(count))
             for event, count in self.children.items()
-            if event.child_tag != STOP
+            if event.child_tag != STOP and not event.child_label.startswith(OBJECT)
         )
         return BackOff(events, _NOVELTY)
+
+    @cached_property
+    def _objects(self) -> BackOff:
+        return BackOff(self._object_events(), _NOVELTY)
+
+    def _object_events(self) -> Iterator[tuple[tuple[tuple[str, ...], ...], str, float]]:
+        for event, count in self.children.items():
+            label, object_label = split_label(event.child_label)
+            if event.child_label.startswith(OBJECT):
+                yield _shape_contexts(event.label, object_label), event.child_tag, float(count)
+            elif object_label:
+                yield _object_contexts(_state(event), label), object_label, float(count)
+
+
+def awaits_object(state: State, child_tag: str) -> bool:
+    """Whether a child becomes the object of a preposition."""
+    return state.tag == "PP" and state.side == "R" and not state.object and child_tag in ("NP", "NPB")
 
 
 def _state(event: Child) -> State:
     return State(event.tag, event.label, "", event.side, event.previous, False)
+
+
+def _shape_contexts(label: str, object_label: str) -> tuple[tuple[str, ...], ...]:
+    """Of an object's having phrases of its own."""
+    return (("shape",), ("shape", _kind(object_label)), ("shape", object_label), ("shape", label, object_label))
+
+
+def _object_contexts(state: State, label: str) -> tuple[tuple[str, ...], ...]:
+    """Of which object a preposition has."""
+    return ((OBJECT,), (OBJECT, label), (OBJECT, label, state.tag), (OBJECT, label, state.tag, state.label))
 
 
 def _head_contexts(tag: str, label: str) -> tuple[tuple[str, ...], ...]:
@@ -259,12 +310,12 @@ def _head_contexts(tag: str, label: str) -> tuple[tuple[str, ...], ...]:
 
 
 def _tag_contexts(state: State) -> tuple[tuple[str, ...], ...]:
-    tag, label, _, side, previous, _ = state
+    tag, label, _, side, previous, *_ = state
     return ((tag, side), (tag, side, previous), (tag, side, previous, _kind(label)), (tag, side, previous, label))
 
 
 def _label_contexts(state: State, child_tag: str) -> tuple[tuple[str, ...], ...]:
-    tag, label, _, side, _, _ = state
+    tag, label, _, side, *_ = state
     return ((child_tag,), (child_tag, tag, side), (child_tag, tag, side, label))
 
 

@@ -16,7 +16,7 @@ _NOUNS = ("NN", "NNS", "NNP", "NNPS")
 _NESTED = ("NP", "PP", "VP", "S", "SBAR")
 # Phrase tag -> the tags looked for, in order of preference; the first child from the left with the tag is the head.
 _FIRST = {
-    "PP": (("IN", "TO"),),
+    "PP": (("IN", "TO", "JJ", "JJR", "JJS"),),
     "VP": (("VB", "VBZ", "VBP", "VBD", "VBG", "VBN"), ("VP",), ("MD",)),
     "S": (("VP",), ("S",), ("NP",)),
     "SQ": (("VP",), ("MD",)),

@@ -9,8 +9,8 @@ from __future__ import annotations
 from math import log
 from typing import NamedTuple
 
-from grounding.language.events import ROOT
-from grounding.language.grammar import Grammar, State, Symbol
+from grounding.language.events import ROOT, join_label, split_label
+from grounding.language.grammar import Grammar, State, Symbol, awaits_object
 
 Step = tuple[int, float]
 """A state or symbol by number, and the log probability of getting there."""
@@ -79,7 +79,8 @@ class Rules:
         """The state after one more child, or None where the grammar has no such child there; kept in `takes`."""
         before, child = self.states[state], self.symbols[symbol]
         chance = self.grammar.child_probability(before, child)
-        after = before._replace(previous=child.tag, bare=False)
+        told = child.label if awaits_object(before, child.tag) else before.object
+        after = before._replace(previous=child.tag, bare=False, object=told)
         step = (self._state(after), log(chance)) if chance else None
         self.takes[state][symbol] = step
         return step
@@ -111,7 +112,7 @@ class Rules:
         steps = []
         is_phrase = head.tag in self.grammar.phrase_tags
         for tag in self.grammar.mothers.get(head.tag, ()):
-            chance = self.grammar.head_probability(tag, head.label, head.tag)
+            chance = self.grammar.head_probability(tag, split_label(head.label)[0], head.tag)
             if chance:
                 state = self._state(State.start(tag, head, is_phrase))
                 steps.append(Start(state, log(chance), (tag, "R") in self.grammar.sides))
@@ -122,7 +123,7 @@ class Rules:
         if not chance:
             return Close(None, None)
         whole = not state.bare or (state.tag, state.head) in self.grammar.chains
-        symbol = self.symbol(Symbol(state.tag, state.label)) if whole else -1
+        symbol = self.symbol(Symbol(state.tag, join_label(state.label, state.object))) if whole else -1
         if state.side == "L":
             return Close((symbol, log(chance)) if whole else None, None)
         after = state._replace(side="L", previous="^" + state.head)
