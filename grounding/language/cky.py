@@ -111,9 +111,8 @@ def _fill(rules: Rules, sentence: Sequence[Sequence[Lexeme]], beam: Beam) -> lis
                     continue
                 _prune(right, rules.state_rank, beam)
                 _prune(left, rules.state_rank, beam)
-                for table in (right, left):
-                    for state, node in list(table.items()):
-                        _close(rules, state, node, whole, left)
+                for state, node in [*right.items(), *left.items()]:
+                    _close(rules, state, node, whole, left)
                 _prune(whole, rules.symbol_rank, beam)
             _start(rules, whole, right, left)
     return complete
