@@ -23,6 +23,7 @@ Array = NDArray[np.float64]
 
 _KEYS = ("id", "type", "color", "position", "orientation", "size")
 _UNIT_TOLERANCE = 1e-3  # on the quaternion's norm: files are written with few digits
+_EXACT = 1e-12  # nearer to 1 a norm is left alone, so that what was written is what is read
 FURNITURE = ("table", "robot", "floor")  # types that instructions do not mean by "block" or "object"
 
 
@@ -288,7 +289,9 @@ def _object(entry: Any, number: int) -> WorldObject:
     norm = float(np.linalg.norm(orientation))
     if abs(norm - 1) > _UNIT_TOLERANCE:
         raise WorldError(f"{who}: 'orientation' has length {norm:.4g}; a quaternion w, x, y, z of length 1 is needed")
-    return WorldObject(entry["id"], entry["type"], entry["color"], position, _read_only(orientation / norm), size)
+    if abs(norm - 1) > _EXACT:
+        orientation = _read_only(orientation / norm)
+    return WorldObject(entry["id"], entry["type"], entry["color"], position, orientation, size)
 
 
 def _has_reserved(name: str) -> bool:

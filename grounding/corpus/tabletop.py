@@ -7,6 +7,7 @@ arrangements keep at least `gap`, measured between the circles around their base
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
@@ -19,7 +20,9 @@ TABLE = make_object("table", "table", "white", (0.65, 0.0, 0.691), size=(0.7, 1.
 TABLE_TOP = 0.711  # z of the table's surface in [m]
 REACH_X = (0.46, 0.77)  # centres of blocks that one arm or the other grasps from above, in [m]
 REACH_Y = (-0.62, 0.62)
-_DIGITS = 4  # of positions in [m]: tenths of a millimetre
+WHOLE_X = (0.36, 0.94)  # centres of blocks that do not stick out over the table's edge, in [m]
+WHOLE_Y = (-0.84, 0.84)
+_DIGITS = 4  # of positions in [m] and turns in [rad]: tenths of a millimetre
 
 
 @dataclass(frozen=True, slots=True)
@@ -31,12 +34,14 @@ class Looks:
         edge: of the cubes in [m].
         jitter: standard deviation of a block's place along x and along y in [m], cut off at twice that.
         yaw: half width of the interval of a block's turn about z in [rad].
+        turn: middle of that interval in [rad].
     """
 
     colors: tuple[str, ...] = ("red",)
     edge: float = 0.05
     jitter: float = 0.002
     yaw: float = 0.06
+    turn: float = 0.0
 
 
 @dataclass
@@ -91,7 +96,7 @@ class Tabletop:
             the blocks.
         """
         noise = np.clip(self.rng.normal(0.0, 1.0, places.shape), -2, 2) * looks.jitter
-        turns = self.rng.uniform(-looks.yaw, looks.yaw, len(places))
+        turns = looks.turn + self.rng.uniform(-looks.yaw, looks.yaw, len(places))
         z = TABLE_TOP + looks.edge / 2
         laid = [
             self._put(place, z, float(turn), looks.colors[i % len(looks.colors)], looks.edge)
@@ -109,7 +114,7 @@ class Tabletop:
             edges: of the cubes from the bottom upward in [m], if they differ.
         """
         noise = np.clip(self.rng.normal(0.0, 1.0, (count, 2)), -2, 2) * looks.jitter
-        turns = self.rng.uniform(-looks.yaw, looks.yaw, count)
+        turns = looks.turn + self.rng.uniform(-looks.yaw, looks.yaw, count)
         laid, top = [], TABLE_TOP
         for level in range(count):
             edge = edges[level] if edges else looks.edge
@@ -117,6 +122,27 @@ class Tabletop:
             laid.append(self._put(place + noise[level], top + edge / 2, float(turns[level]), color, edge))
             top += edge
         return self._record("tower", laid)
+
+    def scatter(self, looks: Sequence[Looks], rounds: int = 6) -> bool:
+        """Lay cubes that belong to nothing, one for each of `looks`, where there is room.
+
+        Returns:
+            whether all of them found a place within so many rounds of draws.
+        """
+        left = list(looks)
+        half = max((item.edge for item in left), default=0.0) / np.sqrt(2)
+        for _ in range(rounds):
+            if not left:
+                break
+            places = self.rng.uniform((self.x[0], self.y[0]), (self.x[1], self.y[1]), (12 * len(left), 2))
+            accepted: list[Array] = []
+            for place in places[self._free(places[:, None], 2 * half / np.sqrt(2))]:
+                apart = 2 * half + self.gap
+                if len(accepted) < len(left) and all(math.dist(place, other) >= apart for other in accepted):
+                    accepted.append(place)
+            for place in accepted:
+                self.lay(None, place[None], left.pop())
+        return not left
 
     def world(self) -> World:
         """The blocks and, last, the table."""
@@ -132,8 +158,10 @@ class Tabletop:
 
     def _put(self, place: Array, z: float, turn: float, color: str, edge: float) -> WorldObject:
         position = (round(float(place[0]), _DIGITS), round(float(place[1]), _DIGITS), round(z, _DIGITS + 1))
-        orientation = (round(np.cos(turn / 2), 6), 0.0, 0.0, round(np.sin(turn / 2), 6))
-        block = make_object(f"b{len(self.blocks) + 1}", "block", color, position, orientation, (edge, edge, edge))
+        half_turn = round(turn / 2, _DIGITS)
+        turned = (math.cos(half_turn), 0.0, 0.0, math.sin(half_turn))
+        name = f"b{len(self.blocks) + 1}"
+        block = WorldObject(name, "block", color, _fixed(position), _fixed(turned), _fixed((edge, edge, edge)))
         self.blocks.append(block)
         self._taken.append((position[0], position[1], edge / np.sqrt(2)))
         return block
@@ -142,6 +170,12 @@ class Tabletop:
         if kind is not None:
             self.containers.append(Container(kind, tuple(block.id for block in laid)))
         return tuple(laid)
+
+
+def _fixed(values: tuple[float, ...]) -> Array:
+    array = np.array(values)
+    array.setflags(write=False)
+    return array
 
 
 def line(count: int, pitch: float, direction: float) -> Array:

@@ -1,5 +1,4 @@
-"""Arrangements that people see in a set of blocks: lines, circles, clusters, towers (Section IV-C: shape likelihood,
-model fit, coherence, separation).
+"""Arrangements that people see in a set of blocks: lines, circles, clusters, towers (Section IV-C).
 
 Every detector is polynomial in the number of objects: lines grow from pairs of neighbours, circles from triples of
 neighbours, clusters are the nested ones of single linkage, towers follow support. Each finding says how well it fits.
@@ -9,6 +8,7 @@ from __future__ import annotations
 
 import itertools
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -45,6 +45,16 @@ class Arrangement:
     separation: float
     angle: float = 0.0
 
+    @cached_property
+    def prominence(self) -> float:
+        """How much it catches the eye, for choosing among arrangements that share members; above 0 at all."""
+        if self.kind == "tower":
+            return 2.0 + self.count
+        if self.kind == "group":
+            return float(min(self.separation, 4.0) - 1.1) * (0.5 if self.count == 2 else 1.0)
+        fit = np.exp(-((self.deviation / 0.2) ** 2) - (self.angle / 0.35) ** 2 - ((1 - self.regularity) / 0.3) ** 2)
+        return float(fit * (self.count - (1.0 if self.kind != "circle" else 2.0)) * min(self.separation, 1.5))
+
 
 def find_arrangements(positions: Array, edges: Array) -> tuple[Arrangement, ...]:
     """All arrangements among objects, in a fixed order.
@@ -77,9 +87,9 @@ def find_towers(positions: Array, edges: Array) -> tuple[list[Arrangement], np.n
     base = ~above.any(axis=0)
     towers, seen = [], np.zeros(n, dtype=bool)
     for start in np.flatnonzero(base):
-        members, level = [start], above[start]
+        members, level = [int(start)], above[start]
         while level.any():
-            members += [i for i in np.flatnonzero(level) if i not in members]
+            members += [int(i) for i in np.flatnonzero(level) if int(i) not in members]
             level = above[np.flatnonzero(level)].any(axis=0)
         if len(members) > 1 and not seen[members].all():
             seen[members] = True

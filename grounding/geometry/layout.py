@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from functools import cached_property
 
 import numpy as np
@@ -49,6 +49,20 @@ class Layout:
     def arrangements(self) -> tuple[Arrangement, ...]:
         """Lines, circles, clusters and towers."""
         return find_arrangements(self.positions, self.edges)
+
+    @cached_property
+    def by_members(self) -> Mapping[tuple[str, int], Arrangement]:
+        """The arrangements by kind and members."""
+        return {(a.kind, a.mask): a for a in self.arrangements}
+
+    @staticmethod
+    def prominent(arrangements: Iterable[Arrangement]) -> tuple[Arrangement, ...]:
+        """Of arrangements that share members, those that catch the eye; the most prominent first."""
+        kept: list[Arrangement] = []
+        for a in sorted(arrangements, key=lambda a: (-a.prominence, a.kind, a.mask)):
+            if a.prominence > 0 and not any(a.kind == b.kind and a.mask & b.mask for b in kept):
+                kept.append(a)
+        return tuple(kept)
 
     @cached_property
     def clear_top(self) -> int:
@@ -116,7 +130,7 @@ class Layout:
             else:
                 score = self.extent(mask, direction)
                 heights = self.positions[members, 2]
-                order = np.lexsort((members, -heights, -np.round(score, 4)))
+                order = np.lexsort((np.array(members), -heights, -np.round(score, 4)))
                 self._ranked[key] = tuple(members[i] for i in order)
         return self._ranked[key]
 

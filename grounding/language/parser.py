@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from math import exp
 from pathlib import Path
+from typing import Any
 
 import models
 from grounding.errors import LanguageError
@@ -18,8 +19,10 @@ from grounding.language.tree import Phrase, Word
 
 _TAG_BEAM = 4.0
 """Tags less likely for a word than its best by more than this, as log probability, are not tried."""
-_DUPLICATES = 4
-"""Look at up to so many derivations for every tree wanted: some derivations give the same tree."""
+_DERIVATIONS = 6
+"""Look at up to so many derivations for every tree wanted: some differ in the words' tags only."""
+
+Shape = tuple[Any, ...]
 
 
 @dataclass(frozen=True)
@@ -80,7 +83,7 @@ class Parser:
             k: how many readings are wanted, at least 1.
 
         Returns:
-            one to k readings with different trees, best first.
+            one to k readings that differ in their phrases, best first.
 
         Raises:
             LanguageError: there is no word in the text.
@@ -138,15 +141,22 @@ def _join(roots: list[Node]) -> Node:
 
 
 def _best_trees(root: Node, k: int) -> list[tuple[Phrase, float]]:
-    trees: dict[Phrase, float] = {}
-    for rank in range(_DUPLICATES * k):
+    """The best trees that differ in their phrases, each with its best tags of words."""
+    trees: dict[Shape, tuple[Phrase, float]] = {}
+    for rank in range(_DERIVATIONS * k):
         score = root.derivation(rank)
         if score is None or len(trees) == k:
             break
         (tree,) = root.children(rank)
         assert isinstance(tree, Phrase)
-        trees.setdefault(_flat(tree), score)
-    return list(trees.items())
+        flat = _flat(tree)
+        trees.setdefault(_shape(flat), (flat, score))
+    return list(trees.values())
+
+
+def _shape(tree: Phrase) -> Shape:
+    """A tree without its words' tags."""
+    return (tree.tag, *(child.index if isinstance(child, Word) else _shape(child) for child in tree.children))
 
 
 def _flat(tree: Phrase) -> Phrase:

@@ -1,0 +1,117 @@
+"""Regions and actions: what is proposed for a phrase, and in which roles."""
+
+from __future__ import annotations
+
+from grounding.features.scope import Scope
+from grounding.features.sources import Source
+from grounding.geometry.masks import indices_of
+from grounding.symbols import Action, Region, SpatialReference, Symbol
+
+Proposals = list[tuple[Symbol, list[str]]]
+
+_TOO_MANY = 64  # actions that would be proposed where nothing but a type is said
+
+
+def regions(scope: Scope) -> Proposals:
+    """Regions of what the children grounded to, along the directions that are spoken of; the children's regions."""
+    found: dict[Region, list[str]] = {}
+    phrase = scope.phrase
+    if phrase.tag in ("NP", "PP"):
+        relations: dict[str, str] = {}
+        for role, source in (("own", scope.own), ("head", scope.source("head"))):
+            for relation in source.relations:
+                relations.setdefault(relation, role)
+        for symbol in scope.named:
+            if isinstance(symbol, SpatialReference):
+                relations.setdefault(symbol.name, "word")
+        for role in ("mod", "inner"):
+            for kind, objects, how in _references(scope, scope.source(role), role):
+                for relation, who in relations.items():
+                    if relation == "between" and len(objects) < 2:
+                        continue
+                    found[Region(relation, kind, objects)] = [
+                        f"relation of {who}", f"relation {relation}", how, f"{how}|{who}", f"{relation}|{kind}",
+                    ]  # fmt: skip
+    for role, source in scope.child_sources.items():
+        for region in source.regions:
+            found.setdefault(region, []).append(f"is {role}")
+    return list(found.items())
+
+
+def _references(scope: Scope, source: Source, role: str) -> list[tuple[str, tuple[str, ...], str]]:
+    """What a region can be of: (kind, ids, how it came about)."""
+    found: list[tuple[str, tuple[str, ...], str]] = []
+    layout = scope.layout
+    for kind, mask in source.containers:
+        found.append((kind, layout.names(mask), f"container of {role}"))
+    if source.objects:
+        names = layout.names(source.objects)
+        how = "object" if len(names) == 1 else "objects"
+        found.append(("object", names, f"{how} of {role}"))
+    found += [("object", (name,), f"furniture of {role}") for name in source.furniture]
+    if source.robot:
+        found.append(("robot", (), f"robot of {role}"))
+    return found
+
+
+def actions(scope: Scope) -> Proposals:
+    """Actions on what the object phrase grounded to or, where it left several possible, on each of them."""
+    found: dict[Action, list[str]] = {}
+    kinds = [action.kind for action in scope.own.actions if not action.objects]
+    target = scope.source("object")
+    destinations = _destinations(scope)
+    for names, how in _targets(scope, target):
+        for kind in kinds:
+            for region, whence in destinations:
+                if region is not None and set(region.objects) & set(names) and whence != "beside itself":
+                    continue
+                if whence == "beside itself":
+                    for relation in scope.source("dest").relations:
+                        own_region = Region(relation, "object", names)
+                        found.setdefault(Action(kind, names, own_region), []).extend(
+                            [f"kind {kind}", how, whence, f"{how}|{whence}"]
+                        )
+                    continue
+                found.setdefault(Action(kind, names, region), []).extend(
+                    [f"kind {kind}", how, whence, f"{how}|{whence}", f"{kind}|{whence}"]
+                )
+    for role, source in scope.child_sources.items():
+        for action in source.actions:
+            if action.objects:
+                found.setdefault(action, []).append(f"is {role}")
+    return list(found.items())
+
+
+def _targets(scope: Scope, target: Source) -> list[tuple[tuple[str, ...], str]]:
+    layout = scope.layout
+    if target.objects:
+        names = layout.names(target.objects)
+        return [(names, "the object" if len(names) == 1 else "the objects")]
+    pool = layout.everything
+    for attribute in target.attributes[:1]:
+        pool &= layout.matching(attribute.object_type, attribute.color)
+    for collection in target.collections[:1]:
+        pool &= layout.matching(collection.object_type, collection.color)
+    for _, mask in target.containers[:1]:
+        pool &= mask
+    for region in target.regions[:1]:
+        if region.kind != "robot":
+            pool &= layout.within(region.relation, region.objects)
+    if not pool or not (target.attributes or target.collections or target.kinds):
+        return []
+    if target.attributes:
+        return [((layout.ids[i],), "a possible object") for i in list(indices_of(pool))[:_TOO_MANY]]
+    if target.kinds:
+        lists = scope.fitting.lists
+        return [(layout.names(a.mask), "a possible container") for a in lists.get("counted", lists["seen"])]
+    return [(layout.names(pool), "all that match")]
+
+
+def _destinations(scope: Scope) -> list[tuple[Region | None, str]]:
+    """Where to: (region, how it came about); a lone direction is beside the object itself."""
+    destination = scope.source("dest")
+    found: list[tuple[Region | None, str]] = [(region, "to region") for region in destination.regions]
+    if destination.relations and not destination.regions:
+        found.append((None, "beside itself"))
+    found.append((None, "nowhere though said" if found or destination.symbols else "nowhere"))
+    return found

@@ -1,0 +1,98 @@
+"""Concrete symbols that words express: labels, spatial references, cardinals, ordinals, kinds of container and action.
+
+The closed ones are all judged for every phrase, so that words outside the lexicon can be learned; of numbers and ranks,
+those that the words or a child speak of.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from grounding.features.context import named_how
+from grounding.features.scope import Scope
+from grounding.language.lexicon import known_colors
+from grounding.symbols import (
+    ACTION_KINDS,
+    CONTAINER_KINDS,
+    SPATIAL_REFERENCES,
+    Action,
+    Cardinal,
+    Container,
+    ObjectColor,
+    ObjectType,
+    Ordinal,
+    SpatialReference,
+    Symbol,
+)
+
+Proposals = list[tuple[Symbol, list[str]]]
+
+_SPATIAL = tuple(SpatialReference(name) for name in SPATIAL_REFERENCES)
+_KINDS = tuple(Container(kind) for kind in CONTAINER_KINDS)
+_VERBS = tuple(Action(kind) for kind in ACTION_KINDS)
+_COLORS = tuple(ObjectColor(name) for name in known_colors())
+_IDENTIFIED = (SpatialReference, Container, Action)  # kinds whose members are worth weights of their own
+
+
+def _judge(scope: Scope, symbols: Iterable[Symbol]) -> Proposals:
+    proposals: Proposals = []
+    for symbol in symbols:
+        roles = named_how(scope, symbol)
+        if isinstance(symbol, _IDENTIFIED):
+            roles.append(f"is {symbol}")
+        for role, source in scope.child_sources.items():
+            if symbol in source.symbols:
+                roles.append(f"in {role}")
+        proposals.append((symbol, roles))
+    return proposals
+
+
+def _spoken(scope: Scope, kind: type) -> list[Symbol]:
+    """Symbols of a kind that the words or the children speak of, in a fixed order."""
+    found = [symbol for symbol in scope.named if isinstance(symbol, kind)]
+    for source in scope.child_sources.values():
+        found += [symbol for symbol in source.symbols if isinstance(symbol, kind)]
+    return sorted(dict.fromkeys(found), key=str)
+
+
+def types(scope: Scope) -> Proposals:
+    """Types of the world, and those that words name. A word that is a type's own name names it."""
+    symbols = dict.fromkeys(_spoken(scope, ObjectType))
+    symbols.update(dict.fromkeys(ObjectType(name) for name in sorted(scope.layout.types)))
+    proposals = _judge(scope, symbols)
+    words = {word.text for word in scope.phrase.words}
+    for symbol, roles in proposals:
+        if isinstance(symbol, ObjectType) and roles[0] == "not named" and symbol.name in words:
+            roles[0] = "named by its own name"
+            roles.append("named")
+    return proposals
+
+
+def colors(scope: Scope) -> Proposals:
+    """All known colours."""
+    return _judge(scope, _COLORS)
+
+
+def spatial_references(scope: Scope) -> Proposals:
+    """All spatial references."""
+    return _judge(scope, _SPATIAL)
+
+
+def cardinals(scope: Scope) -> Proposals:
+    """The numbers that are spoken of."""
+    return _judge(scope, _spoken(scope, Cardinal))
+
+
+def ordinals(scope: Scope) -> Proposals:
+    """The ranks that are spoken of."""
+    return _judge(scope, _spoken(scope, Ordinal))
+
+
+def kinds(scope: Scope) -> Proposals:
+    """All kinds of container, without their objects."""
+    return _judge(scope, _KINDS)
+
+
+def verbs(scope: Scope) -> Proposals:
+    """All kinds of action, without their objects."""
+    return _judge(scope, _VERBS)

@@ -1,0 +1,113 @@
+"""The facts of the context that roles are crossed with: words, tags, what the children are and grounded to."""
+
+from __future__ import annotations
+
+from grounding.features.scope import Scope
+from grounding.features.sources import child_roles
+from grounding.language.lexicon import is_superlative, is_universal, meanings, size_order
+from grounding.language.tree import Phrase
+from grounding.symbols import Symbol
+
+_CLOSED_TAGS = ("DT", "PDT", "IN", "TO", "PRP", "PRP$", "CC", "CD")
+
+
+def word_facts(scope: Scope) -> list[str]:
+    """What the phrase's own words and its make-up tell."""
+    phrase = scope.phrase
+    roles = child_roles(phrase)
+    facts = ["bias", f"tag={phrase.tag}", f"shape={phrase.tag}:{'+'.join(roles)}"]
+    if scope.plural:
+        facts.append("plural")
+    for word in phrase.words:
+        facts.append(f"word={word.text}")
+        facts.append(f"pos={word.tag}")
+        if is_superlative(word.text) or word.tag in ("JJS", "RBS"):
+            facts.append("superlative")
+        if is_universal(word.text):
+            facts.append("universal")
+        if size_order(word.text):
+            facts.append(f"size={size_order(word.text)}")
+        if not meanings(word.text) and word.tag not in _CLOSED_TAGS:
+            facts.append("unnamed word")
+    facts += [f"says {kind}" for kind in sorted({type(symbol).__name__ for symbol in scope.named})]
+    for role, child in zip(roles, phrase.phrases, strict=True):
+        facts.append(f"{role}={child.tag}")
+        preposition = _preposition(child)
+        if preposition:
+            facts.append(f"{role}:{preposition}")
+        if any(word.text in ("a", "an", "another", "any", "one", "some") for word in child.words[:1]):
+            facts.append(f"{role}:indefinite")
+    return list(dict.fromkeys(facts))
+
+
+def child_facts(scope: Scope) -> list[str]:
+    """What the children have grounded to, by kinds of symbols."""
+    facts = []
+    for role, source in scope.child_sources.items():
+        for name in ("types", "colors", "relations", "indices", "numbers", "kinds", "furniture", "containers",
+                     "regions", "attributes", "collections", "actions"):  # fmt: skip
+            if getattr(source, name):
+                facts.append(f"{role} has {name}")
+        if source.objects:
+            facts.append(f"{role} has {'object' if source.objects & (source.objects - 1) == 0 else 'objects'}")
+        if source.robot:
+            facts.append(f"{role} has robot")
+        if not source.symbols:
+            facts.append(f"{role} has nothing")
+        facts += [f"{role}.relation={relation}" for relation in source.relations]
+        facts += [f"{role}.container={kind}" for kind, _ in source.containers]
+        facts += [f"{role}.region={region.relation}" for region in source.regions]
+        facts += [f"{role}.region of={region.kind}" for region in source.regions]
+    head, mod = scope.source("head"), scope.source("mod")
+    if head.relations and mod.relations:
+        prepositions = [_preposition(c) for c in scope.phrase.phrases if c.tag == "PP"]
+        facts.append(f"two relations:{head.relations[0]}:{prepositions[0] if prepositions else ''}")
+    return facts
+
+
+def own_facts(scope: Scope) -> list[str]:
+    """What the settled concrete symbols tell, and which sets exist."""
+    own = scope.own
+    facts = []
+    for name in ("types", "colors", "relations", "indices", "numbers", "kinds"):
+        if getattr(own, name):
+            facts.append(f"own {name}")
+    facts += [f"own.relation={relation}" for relation in own.relations]
+    facts += [f"own.kind={kind}" for kind in own.kinds]
+    sets = scope.sets
+    base = sets.base
+    facts.append("nothing matches" if not base else "one matches" if base & (base - 1) == 0 else "many match")
+    facts += [f"have {name}" for name in sets.named]
+    for name, mask in sets.references.items():
+        if not mask:
+            facts.append(f"empty {name}")
+    lists = scope.fitting.lists
+    for name, arrangements in lists.items():
+        facts.append(f"{min(len(arrangements), 2)} {name}")
+    return facts
+
+
+def context_facts(scope: Scope, settled: bool) -> list[str]:
+    """All facts of a phrase's context, in a fixed order.
+
+    Args:
+        scope: the phrase and what it looks at.
+        settled: whether its concrete symbols are settled, so that sets can be named.
+    """
+    facts = [*word_facts(scope), *child_facts(scope)]
+    return facts + own_facts(scope) if settled else facts
+
+
+def _preposition(phrase: Phrase) -> str:
+    """The words of a prepositional phrase, without adverbs before them; "" for other phrases."""
+    if phrase.tag != "PP":
+        return ""
+    return " ".join(word.text for word in phrase.words if word.tag not in ("RB", "RBR"))
+
+
+def named_how(scope: Scope, symbol: Symbol) -> list[str]:
+    """Roles that tell how the phrase's own words name a symbol."""
+    how = scope.named.get(symbol)
+    if how is None:
+        return ["not named"]
+    return [*(f"named by {way}" for way in how), "named"]

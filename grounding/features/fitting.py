@@ -1,0 +1,110 @@
+"""Arrangements that a phrase may mean, named by how they come about: the only fitting row, the leftmost of them, ..."""
+
+from __future__ import annotations
+
+from functools import cached_property
+
+import numpy as np
+
+from grounding.features.sets import NamedSets
+from grounding.features.sources import NOTHING, Source
+from grounding.geometry.arrangements import Arrangement
+from grounding.geometry.layout import Layout
+from grounding.geometry.masks import indices_of
+
+_UPRIGHT = {"top": "back", "bottom": "front"}
+
+
+class Fitting:
+    """The arrangements of one phrase, computed when asked for."""
+
+    def __init__(self, sources: dict[str, Source], sets: NamedSets, layout: Layout) -> None:
+        self.sources = sources
+        self.sets = sets
+        self.layout = layout
+
+    @cached_property
+    def kinds(self) -> tuple[str, ...]:
+        """The kinds that the phrase or its parts speak of, those of the phrase and its head first."""
+        for roles in (("own", "head"), ("inner", "mod", "object")):
+            kinds = [kind for role in roles for kind in self.sources.get(role, NOTHING).kinds]
+            if kinds:
+                return tuple(dict.fromkeys(kinds))
+        return ()
+
+    @cached_property
+    def wanted(self) -> int:
+        """The objects that its members may be: by what any part says of type and colour."""
+        types = [t for source in self.sources.values() for t in source.types]
+        colors = [c for source in self.sources.values() for c in source.colors]
+        return self.layout.matching(types[0] if types else None, colors[0] if colors else None)
+
+    @cached_property
+    def lists(self) -> dict[str, tuple[Arrangement, ...]]:
+        """Lists of candidates, by how they were narrowed down; the most prominent of overlapping ones only."""
+        layout = self.layout
+        of_kind = [
+            a for a in layout.arrangements if (not self.kinds or a.kind in self.kinds) and not a.mask & ~self.wanted
+        ]
+        counts = {count for _, count in self.sets.numbers}
+        found = {"seen": layout.prominent(of_kind)}
+        if counts:
+            found["counted"] = layout.prominent([a for a in of_kind if a.count in counts])
+        for role in ("mod", "inner", "head"):
+            source = self.sources.get(role)
+            if source is None:
+                continue
+            inside = None
+            if source.regions and source.regions[0].kind != "robot":
+                inside = layout.within(source.regions[0].relation, source.regions[0].objects)
+            elif source.objects and not source.containers:
+                inside = source.objects
+            elif role == "mod" and source.relations:
+                inside = self.sets.side(source.relations[0])
+            if inside is not None:
+                base = found.get("counted", found["seen"])
+                found[f"{role}.side" if source.relations and not source.regions else f"{role}.within"] = tuple(
+                    a for a in base if not a.mask & ~inside
+                )
+        return found
+
+    @cached_property
+    def named(self) -> dict[tuple[str, int], tuple[str, ...]]:
+        """The names of every fitting arrangement, by kind and members."""
+        found: dict[tuple[str, int], list[str]] = {}
+        for name, arrangements in self.lists.items():
+            if not arrangements:
+                continue
+            for a in arrangements:
+                found.setdefault((a.kind, a.mask), []).append(f"in[{name}]")
+            if len(arrangements) == 1:
+                found[arrangements[0].kind, arrangements[0].mask].append(f"only[{name}]")
+            else:
+                found[arrangements[0].kind, arrangements[0].mask].append(f"best[{name}]")
+                by_size = sorted(arrangements, key=lambda a: -a.count)
+                if by_size[0].count > by_size[1].count:
+                    found[by_size[0].kind, by_size[0].mask].append(f"largest[{name}]")
+                if by_size[-1].count < by_size[-2].count:
+                    found[by_size[-1].kind, by_size[-1].mask].append(f"smallest[{name}]")
+            for who, direction in self.sets.directions:
+                order = self._ranked(arrangements, _UPRIGHT.get(direction, direction))
+                for index_who, index in self.sets.indices:
+                    place = len(order) - 1 if index < 0 else index - 1
+                    if place < len(order):
+                        chosen = order[place]
+                        found[chosen.kind, chosen.mask].append(f"nth[{name}|{who}|{index_who}]")
+        return {key: tuple(names) for key, names in found.items()}
+
+    def _ranked(self, arrangements: tuple[Arrangement, ...], direction: str) -> list[Arrangement]:
+        if direction == "between":
+            return []
+        if direction == "center":
+            middle = self.layout.positions[:, :2].mean(axis=0)
+            score = [-float(np.hypot(*(a.centroid[:2] - middle))) for a in arrangements]
+        else:
+            score = [float(self.layout.extent(a.mask, direction).mean()) for a in arrangements]
+        return [arrangements[i] for i in sorted(range(len(arrangements)), key=lambda i: -score[i])]
+
+    def names_of(self, mask: int) -> tuple[str, ...]:
+        """The ids in a set."""
+        return tuple(self.layout.ids[i] for i in indices_of(mask))

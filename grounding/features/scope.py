@@ -1,0 +1,95 @@
+"""What a phrase's features look at: its words, its children's groundings, the world, and the sets it may mean."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import cached_property
+
+from grounding.features.fitting import Fitting
+from grounding.features.sets import NamedSets
+from grounding.features.sources import NOTHING, Source, child_roles, digest, merge
+from grounding.geometry.layout import Layout
+from grounding.language.lexicon import is_plural, meanings
+from grounding.language.tree import Phrase
+from grounding.symbols import Symbol
+
+_HEAD_TAGS = ("NN", "NNS", "NNP", "NNPS", "CD", "PRP")
+
+
+class Scope:
+    """One phrase λ with the groundings Φ of its children in the world Υ.
+
+    Args:
+        phrase: λ.
+        children: the symbols that each child phrase is grounded to, in the order of `phrase.phrases`.
+        layout: Υ, measured.
+        concrete: the concrete symbols that λ itself is taken to express; empty while those are inferred.
+    """
+
+    def __init__(
+        self,
+        phrase: Phrase,
+        children: Sequence[frozenset[Symbol]],
+        layout: Layout,
+        concrete: frozenset[Symbol] = frozenset(),
+    ) -> None:
+        self.phrase = phrase
+        self.layout = layout
+        self.children = tuple(children)
+        self.concrete = concrete
+
+    def with_concrete(self, concrete: frozenset[Symbol]) -> Scope:
+        """The same phrase, its concrete symbols settled."""
+        scope = Scope(self.phrase, self.children, self.layout, concrete)
+        scope.__dict__["child_sources"] = self.child_sources
+        scope.__dict__["named"] = self.named
+        return scope
+
+    @cached_property
+    def child_sources(self) -> dict[str, Source]:
+        """What the children say, by their roles."""
+        found: dict[str, list[Source]] = {}
+        for role, symbols in zip(child_roles(self.phrase), self.children, strict=True):
+            found.setdefault(role, []).append(digest(symbols, self.layout))
+        return {role: s[0] if len(s) == 1 else merge(s, self.layout) for role, s in found.items()}
+
+    @cached_property
+    def own(self) -> Source:
+        """What the concrete symbols of the phrase itself say."""
+        return digest(self.concrete, self.layout)
+
+    @cached_property
+    def sources(self) -> dict[str, Source]:
+        """What the phrase and its children say, by role; "own" first."""
+        return {"own": self.own, **self.child_sources}
+
+    def source(self, role: str) -> Source:
+        """What a part says; nothing where there is no such part."""
+        return self.sources.get(role, NOTHING)
+
+    @cached_property
+    def named(self) -> dict[Symbol, tuple[str, ...]]:
+        """Symbols that the phrase's own words may name, with how they are named: as its head or by a tag."""
+        heads = [word for word in self.phrase.words if word.tag in _HEAD_TAGS]
+        head = heads[-1] if heads else None
+        found: dict[Symbol, list[str]] = {}
+        for word in self.phrase.words:
+            how = "head" if word is head else word.tag
+            for symbol in meanings(word.text):
+                found.setdefault(symbol, []).append(how)
+        return {symbol: tuple(how) for symbol, how in found.items()}
+
+    @cached_property
+    def plural(self) -> bool:
+        """Whether the phrase's own head noun is plural."""
+        return any(is_plural(word.tag) for word in self.phrase.words)
+
+    @cached_property
+    def sets(self) -> NamedSets:
+        """The sets of objects that the phrase may mean."""
+        return NamedSets(self.sources, self.layout)
+
+    @cached_property
+    def fitting(self) -> Fitting:
+        """The arrangements that the phrase may mean."""
+        return Fitting(self.sources, self.sets, self.layout)

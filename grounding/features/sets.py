@@ -1,0 +1,154 @@
+"""Sets of objects named by how they come about: reference sets, and selections from them.
+
+`nth[mod.in|head|head]` is the object that the head's index and the head's direction select within what the modifier
+grounded to. Restrictors come before selectors: type, colour, containers, regions and sides make the reference sets,
+ordinals, superlatives and counts select from them.
+"""
+
+from __future__ import annotations
+
+from functools import cached_property
+
+import numpy as np
+
+from grounding.features.sources import NOTHING, Source
+from grounding.geometry.layout import Layout
+from grounding.geometry.masks import indices_of, mask_of, single
+
+_SAYING = ("own", "head", "mod", "inner", "object")  # whose directions, indices and numbers count
+_UPRIGHT = {"top": "back", "bottom": "front"}  # on a table seen from above, top is away
+
+
+class NamedSets:
+    """The sets of one phrase, computed when asked for."""
+
+    def __init__(self, sources: dict[str, Source], layout: Layout) -> None:
+        self.sources = sources
+        self.layout = layout
+
+    def first(self, what: str) -> str | None:
+        """The first type or colour that the phrase or its head speaks of."""
+        for role in ("own", "head", "object", "mod", "inner"):
+            values = getattr(self.sources.get(role, NOTHING), what)
+            if role == "mod" and not self.sources.get("head", NOTHING).kinds:
+                continue  # what a modifier of an object speaks of is another thing
+            if values:
+                return str(values[0])
+        return None
+
+    @cached_property
+    def base(self) -> int:
+        """The things of the type and the colour that the phrase speaks of."""
+        return self.layout.matching(self.first("types"), self.first("colors"))
+
+    @cached_property
+    def references(self) -> dict[str, int]:
+        """Sets within which something may be selected."""
+        layout, base = self.layout, self.base
+        found = {"all": base}
+        for role in ("head", "mod", "inner", "object", "part"):
+            source = self.sources.get(role)
+            if source is None:
+                continue
+            if source.containers:
+                found[f"{role}.in"] = base & max((mask for _, mask in source.containers), key=int.bit_count)
+            elif source.objects:
+                found[f"{role}.in"] = base & source.objects
+            for region in source.regions[:1]:
+                if region.kind != "robot":
+                    found[f"{role}.region"] = base & layout.within(region.relation, region.objects)
+            if role == "mod" and source.relations:
+                side = self.side(source.relations[0])
+                if side is not None:
+                    found["mod.side"] = base & side
+        for role in ("head", "inner", "object"):  # what was carried upward: a set and a region
+            if f"{role}.in" in found and f"{role}.region" in found:
+                found[f"{role}.both"] = found[f"{role}.in"] & found[f"{role}.region"]
+        return found
+
+    def side(self, direction: str) -> int | None:
+        """The things on one half of the table; None where the direction has no half."""
+        if direction not in ("left", "right", "front", "back"):
+            return None
+        tables = tuple(item.id for item in self.layout.world.objects if item.type == "table")[:1]
+        if tables:
+            return self.layout.within(direction, tables)
+        extent = self.layout.extent(self.layout.everything, direction)
+        return mask_of(np.flatnonzero(extent > extent.mean())) if len(extent) else 0
+
+    @cached_property
+    def directions(self) -> tuple[tuple[str, str], ...]:
+        """(who says it, direction), every one that is spoken of."""
+        return tuple((role, d) for role in _SAYING for d in self.sources.get(role, NOTHING).relations)
+
+    @cached_property
+    def indices(self) -> tuple[tuple[str, int], ...]:
+        """(who says it, rank); ("first", 1) where nobody says one."""
+        said = tuple((role, i) for role in _SAYING for i in self.sources.get(role, NOTHING).indices)
+        return said or (("first", 1),)
+
+    @cached_property
+    def numbers(self) -> tuple[tuple[str, int], ...]:
+        """(who says it, count)."""
+        return tuple((role, k) for role in _SAYING for k in self.sources.get(role, NOTHING).numbers)
+
+    @cached_property
+    def named(self) -> dict[str, int]:
+        """All sets by their names; empty ones are left out."""
+        layout = self.layout
+        found: dict[str, int] = {}
+        for ref, mask in self.references.items():
+            if not mask:
+                continue
+            found[f"all[{ref}]"] = mask
+            if single(mask):
+                found[f"only[{ref}]"] = mask
+            for who, count in self.numbers:
+                if mask.bit_count() == count:
+                    found[f"count[{ref}|{who}]"] = mask
+            for who, direction in self.directions:
+                if direction == "between":
+                    continue
+                flat = _UPRIGHT.get(direction)
+                for index_who, index in self.indices:
+                    found[f"nth[{ref}|{who}|{index_who}]"] = layout.nth(mask, direction, index)
+                    if flat is not None:
+                        found[f"flat[{ref}|{who}|{index_who}]"] = layout.nth(mask, flat, index)
+                if direction == "center":
+                    found[f"middle[{ref}]"] = layout.median(mask)
+                for count_who, count in self.numbers:
+                    found[f"k[{ref}|{who}|{count_who}]"] = layout.extreme(mask, flat or direction, count)
+        found.update(self._closest())
+        return {name: mask for name, mask in found.items() if mask}
+
+    def _closest(self) -> dict[str, int]:
+        found = {}
+        for role in ("mod", "inner"):
+            source = self.sources.get(role)
+            if source is None:
+                continue
+            names = self.layout.names(source.objects)
+            if not names and source.regions and source.regions[0].kind != "robot":
+                names = source.regions[0].objects
+            pool = self.base & ~self.layout.mask(names)
+            if names and pool:
+                members = list(indices_of(pool))
+                found[f"closest[{role}]"] = 1 << members[int(np.argmin(self.layout.distance_to(pool, names)))]
+        return found
+
+    @cached_property
+    def of_object(self) -> dict[int, tuple[str, ...]]:
+        """For every object that is in some set, by index: the names of its sets."""
+        found: dict[int, list[str]] = {}
+        for name, mask in self.named.items():
+            for index in indices_of(mask):
+                found.setdefault(index, []).append(name)
+        return {index: tuple(names) for index, names in found.items()}
+
+    @cached_property
+    def by_mask(self) -> dict[int, tuple[str, ...]]:
+        """The names of every set, by its members."""
+        found: dict[int, list[str]] = {}
+        for name, mask in self.named.items():
+            found.setdefault(mask, []).append(name)
+        return {mask: tuple(names) for mask, names in found.items()}
