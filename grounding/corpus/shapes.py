@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import pairwise
 
 import numpy as np
 
@@ -47,7 +48,7 @@ def line_fit(points: Array) -> tuple[float, float]:
 
 
 def circle_deviation(points: Array) -> float:
-    """Root mean square distance of (n, 2) points in [m] from the circle fitted to them (Kåsa's linear least squares)."""
+    """Root mean square distance in [m] of (n, 2) points from the circle fitted to them (Kåsa's least squares)."""
     centred = points - points.mean(axis=0)
     system = np.column_stack([2 * centred, np.ones(len(points))])
     (x, y, c), *_ = np.linalg.lstsq(system, (centred**2).sum(axis=1), rcond=None)
@@ -68,7 +69,7 @@ def _line_misfit(kind: str, points: Array, edge: float) -> str | None:
 
 def _tower_misfit(objects: Sequence[WorldObject]) -> str | None:
     ordered = sorted(objects, key=lambda item: float(item.position[2]))
-    for lower, upper in zip(ordered, ordered[1:], strict=False):
+    for lower, upper in pairwise(ordered):
         gap = upper.position[2] - upper.half_extents[2] - lower.position[2] - lower.half_extents[2]
         aside = np.abs(upper.position[:2] - lower.position[:2]).max()
         if abs(gap) > REST or aside > lower.size.min() / 2:
