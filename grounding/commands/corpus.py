@@ -1,0 +1,138 @@
+"""`python -m grounding corpus`: show, check and convert corpora, and list their worlds."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import math
+import sys
+from collections import Counter
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+from grounding.commands import SUMMARIES
+from grounding.corpus.check import check_corpus
+from grounding.corpus.format import Corpus, worlds_path, write_corpus
+from grounding.corpus.loading import load_corpus
+from grounding.corpus.pretty import Paint, pretty
+from grounding.corpus.rss_world import shifted
+from grounding.errors import CorpusError, CorpusErrors
+from grounding.world import save_world
+
+FOUND = 1  # exit code of a check that found something
+_PATH = "a .jsonl file or a folder of example_*.xml (default: the treebank that ships with the project)"
+
+
+def add_arguments(subparsers: Any) -> None:
+    """Add the parser of `corpus` and those of its four verbs."""
+    corpus = subparsers.add_parser("corpus", help=SUMMARIES["corpus"], description=SUMMARIES["corpus"])
+    verbs = corpus.add_subparsers(dest="verb", metavar="VERB", required=True)
+
+    show = verbs.add_parser("show", help="print examples: every phrase with its groundings")
+    show.add_argument("path", nargs="?", type=Path, help=_PATH)
+    show.add_argument("--id", help="only the example of this id")
+    show.add_argument("--limit", type=_count, metavar="N", help="only the first N examples")
+
+    check = verbs.add_parser("check", help="check a corpus against its worlds and itself; exit code 1 if it disagrees")
+    check.add_argument("path", nargs="?", type=Path, help=_PATH)
+    check.add_argument("--keep-going", action="store_true", help="list everything that is refused, not the first only")
+    check.add_argument("--json", action="store_true", help="print the findings as JSON")
+
+    worlds = verbs.add_parser("worlds", help="list the worlds of a corpus")
+    worlds.add_argument("path", nargs="?", type=Path, help=_PATH)
+
+    convert = verbs.add_parser("convert", help="write a corpus in the project's format, or one of its worlds")
+    convert.add_argument("path", type=Path, help=_PATH)
+    convert.add_argument("--output", type=Path, required=True, metavar="FILE",
+                         help=".jsonl for the corpus (worlds beside it), .json for one world")  # fmt: skip
+    convert.add_argument("--world", metavar="NAME", help="which world to write")
+    convert.add_argument("--id", help="write the world of this example")
+    convert.add_argument("--shift", type=_metres, default=0.0, metavar="M",
+                         help="move the table and what lies on it along x, in metres, e.g. --shift -0.25")  # fmt: skip
+
+
+def run(args: argparse.Namespace) -> int:
+    """Run the verb that was asked for."""
+    verbs: dict[str, Callable[[argparse.Namespace], int]] = {
+        "show": _show, "check": _check, "worlds": _worlds, "convert": _convert,
+    }  # fmt: skip
+    return verbs[args.verb](args)
+
+
+def _count(text: str) -> int:
+    value = int(text) if text.isdecimal() else 0
+    if value < 1:
+        raise argparse.ArgumentTypeError(f"a number from 1, not {text!r}")
+    return value
+
+
+def _metres(text: str) -> float:
+    try:
+        value = float(text)
+    except ValueError:
+        value = math.nan
+    if not math.isfinite(value):
+        raise argparse.ArgumentTypeError(f"a distance in metres, not {text!r}")
+    return value
+
+
+def _show(args: argparse.Namespace) -> int:
+    corpus = load_corpus(args.path)
+    examples = [corpus[args.id]] if args.id is not None else corpus.examples[: args.limit]
+    paint = Paint.for_stream(sys.stdout)
+    for number, example in enumerate(examples):
+        print(("\n" if number else "") + pretty(example, paint))
+    return 0
+
+
+def _check(args: argparse.Namespace) -> int:
+    try:
+        corpus = load_corpus(args.path, args.keep_going)
+    except CorpusErrors as error:
+        if args.json:
+            print(json.dumps({"refused": [str(problem) for problem in error.problems], "findings": []}, indent=1))
+        raise
+    findings = check_corpus(corpus)
+    phrases = sum(len(example.groundings) for example in corpus)
+    summary = {"examples": len(corpus), "worlds": len(corpus.worlds), "phrases": phrases}
+    if args.json:
+        plain = [finding.to_json() for finding in findings]
+        print(json.dumps({**summary, "refused": [], "findings": plain}, indent=1))
+    else:
+        for finding in findings:
+            print(finding)
+        counts = ", ".join(f"{count} {name}" for name, count in summary.items())
+        print(f"{counts}; {len(findings) or 'no'} finding{'' if len(findings) == 1 else 's'}", file=sys.stderr)
+    return FOUND if findings else 0
+
+
+def _worlds(args: argparse.Namespace) -> int:
+    corpus = load_corpus(args.path)
+    used = Counter(example.world for example in corpus)
+    for name, world in corpus.worlds.items():
+        colors = Counter(item.color for item in world.things)
+        listed = ", ".join(f"{count} {color}" for color, count in sorted(colors.items()))
+        print(f"{name}\t{len(world.things)} objects ({listed})\t{used[name]} instructions")
+    return 0
+
+
+def _convert(args: argparse.Namespace) -> int:
+    corpus = load_corpus(args.path)
+    moved = Corpus(corpus.examples, {name: shifted(world, args.shift) for name, world in corpus.worlds.items()})
+    if args.output.suffix == ".jsonl" and args.world is None and args.id is None:
+        write_corpus(moved, args.output)
+        print(f"{len(moved)} examples to {args.output}, {len(moved.worlds)} worlds to {worlds_path(args.output)}",
+              file=sys.stderr)  # fmt: skip
+        return 0
+    if args.output.suffix != ".json":
+        raise CorpusError(f"{args.output}: a corpus is written to a .jsonl file, a world to a .json file")
+    name = moved[args.id].world if args.id is not None else args.world
+    if name is None and len(moved.worlds) == 1:
+        name = next(iter(moved.worlds))
+    if name not in moved.worlds:
+        asked = "name one with --world or --id" if name is None else f"no world {name!r}"
+        raise CorpusError(f"{asked}; this corpus has {', '.join(moved.worlds)}")
+    save_world(moved.worlds[name], args.output)
+    print(f"world {name!r} to {args.output}", file=sys.stderr)
+    return 0
