@@ -26,6 +26,7 @@ GRID = 0.01
 CLEARANCE = 0.005
 """Distance kept from everything where no contact is meant, metres."""
 
+_RESTING_OVERLAP = 0.003
 _ROBOT, _THINGS = 1, 2
 
 
@@ -82,6 +83,7 @@ class CollisionChecker:
     ) -> None:
         self._indices = scene_model(scene)
         self._model = copy.copy(self._indices.model)
+        self._model.opt.enableflags = 0
         self._data = mujoco.MjData(self._model)
         self._arm, self._robot = arm, load_robot()
         widths = dict(state.widths)
@@ -111,14 +113,8 @@ class CollisionChecker:
 
     def nearest(self, joints: Array, rules: Rules) -> Near | None:
         """The pair that breaks `rules` most when the arm is at `joints` (7,), or None."""
-        model, data, indices = self._model, self._data, self._indices
-        data.qpos[indices.arm_qpos[self._arm]] = joints
-        if self._held is not None and self._grip is not None:
-            pose = self._robot.tool_pose(self._arm, joints) @ self._grip
-            indices.write_box(data, self._held, pose)
-        mujoco.mj_kinematics(model, data)
-        mujoco.mj_comPos(model, data)
-        mujoco.mj_collision(model, data)
+        self._place(joints)
+        data, indices = self._data, self._indices
         if data.ncon == 0:
             return None
         geoms, distances = data.contact.geom, data.contact.dist
@@ -130,6 +126,20 @@ class CollisionChecker:
                 excess = allowed - distance
                 worst = Near((indices.bodies[first], indices.bodies[second]), float(distance))
         return worst
+
+    def around_held(self, joints: Array, distance: float) -> frozenset[str]:
+        """Names of the bodies other than the robot that are within `distance` of the held box at `joints` (7,)."""
+        self._place(joints)
+        if self._held is None:
+            return frozenset()
+        held = self._indices.box_geoms[self._held]
+        found = set()
+        for (first, second), gap in zip(self._data.contact.geom, self._data.contact.dist, strict=True):
+            if held in (first, second) and gap <= distance:
+                other = int(second if first == held else first)
+                if self._boxes[other]:
+                    found.add(self._indices.bodies[other])
+        return frozenset(found)
 
     def first_conflict(self, path: Sequence[Array], rules: Rules) -> Near | None:
         """The first conflict along straight lines in joint space through `path`, on the grid; None when there is none."""
@@ -143,6 +153,16 @@ class CollisionChecker:
         """Whether the straight line between two configurations is free, checked in halves so that conflicts show early."""
         steps = max(1, int(np.ceil(np.max(np.abs(second - first)) / GRID)))
         return all(self.nearest(first + (second - first) * k / steps, rules) is None for k in _bisected(steps))
+
+    def _place(self, joints: Array) -> None:
+        model, data, indices = self._model, self._data, self._indices
+        data.qpos[indices.arm_qpos[self._arm]] = joints
+        if self._held is not None and self._grip is not None:
+            pose = self._robot.tool_pose(self._arm, joints) @ self._grip
+            indices.write_box(data, self._held, pose)
+        mujoco.mj_kinematics(model, data)
+        mujoco.mj_comPos(model, data)
+        mujoco.mj_collision(model, data)
 
     def _allowed(self, first: int, second: int, rules: Rules) -> float:
         """Least distance that a pair of geoms may have, metres."""
@@ -159,7 +179,7 @@ class CollisionChecker:
                 return -np.inf
             mine = self._indices.bodies[first if other == second else second]
             if mine == self._held and name in rules.resting:
-                return -np.inf
+                return -_RESTING_OVERLAP
             return rules.hand_clearance
         return rules.clearance
 

@@ -1,0 +1,329 @@
+"""One attempt at a plan: phases are added one by one, each free of contact where none is meant, and then verified as a whole."""
+
+from __future__ import annotations
+
+import copy
+from collections import Counter
+
+import numpy as np
+
+from motion.collisions import CLEARANCE, CollisionChecker, Near, Rules
+from motion.errors import GraspUnavailable, MotionError, PlanInCollision, UnreachableTarget
+from motion.grasps import Grasp
+from motion.ik import solve_ik
+from motion.paths import connect, describe, straight
+from motion.plans import Phase, Plan
+from motion.poses import Array, Pose
+from motion.recipe import recipe
+from motion.robot import load_robot
+from motion.scene import Box, Scene
+from motion.state import RobotState
+from motion.timing import check_limits, rest, timed
+
+APPROACH = 0.08
+NEAR_CLEARANCE = 0.0015
+_RESTING = 0.003
+_RELEASE_HEIGHT = 0.001
+_RELEASE_ROOM = 0.007
+_AT_HOME = 1e-3
+_CLOSING_TIME = 0.4
+_OPENING_TIME = 0.3
+_HOLDING_TIME = 0.2
+_RESTARTS = 4
+
+
+class Attempt:
+    """A plan in the making.
+
+    Args:
+        scene: where everything is.
+        state: where the robot is.
+        arm: the arm that moves.
+        target: the box it is about, or None.
+        rng: source of all chance.
+    """
+
+    def __init__(self, scene: Scene, state: RobotState, arm: str, target: str | None, rng: np.random.Generator) -> None:
+        self.scene, self.state, self.arm, self.target, self.rng = scene, state, arm, target, rng
+        self.joints: Array = state.joints(arm)
+        self.width = state.widths[arm]
+        self.grasp: Grasp | None = None
+        self.grip: Pose | None = None
+        self.taken = False
+        self._robot = load_robot()
+        self._phases: list[tuple[Phase, CollisionChecker, Rules]] = []
+
+    def copy(self) -> Attempt:
+        """An attempt that begins with the same phases."""
+        twin = copy.copy(self)
+        twin._phases = list(self._phases)
+        return twin
+
+    # The steps of a pick.
+
+    def take(self, grasp: Grasp, lift: float) -> None:
+        """Adds the phases from where the robot is to the box lifted."""
+        self.grasp = grasp
+        empty = self._checker(width=grasp.opening)
+        near = Rules(hand_clearance=NEAR_CLEARANCE, touching=frozenset({grasp.box}))
+        at_grasp = self._reach(grasp.tool, empty, near)
+        back = self._line(grasp.tool, grasp.backed(APPROACH), at_grasp, empty, near, "approach")
+        box = self.scene.box(grasp.box)
+        grip = grasp.tool.inverse() @ box.pose
+        full = self._checker(width=grasp.width, held=grasp.box, grip=grip)
+        rising = Rules(hand_clearance=NEAR_CLEARANCE, resting=self._touched(full, at_grasp))
+        top = Pose(grasp.tool.position + np.array([0, 0, lift]), grasp.tool.orientation)
+        up = self._line(grasp.tool, top, at_grasp, full, rising, "lift")
+        self._home_first(empty)
+        there = connect(empty, self.arm, self.joints, back[-1], Rules(), self.rng, "pregrasp")
+        self._add("pregrasp", there, empty, Rules(), grasp.opening)
+        self._add("approach", back[::-1], empty, near, grasp.opening)
+        self._pause("close", _CLOSING_TIME, grasp.width - recipe().gripper.squeeze)
+        self.grip, self.taken = grip, True
+        self._add("lift", up, full, rising, self.width)
+
+    def already_holding(self) -> None:
+        """The box is in the hand from the start."""
+        tool = self._robot.tool_pose(self.arm, self.joints)
+        assert self.target is not None
+        self.grip = tool.inverse() @ self.scene.box(self.target).pose
+        self.taken = True
+
+    def check_put(self, grasp: Grasp, goals: list[tuple[Box, str]]) -> None:
+        """Refuses a grasp early when its hand cannot be where any of the destinations would have it.
+
+        Raises:
+            UnreachableTarget: for all of them.
+        """
+        grip = grasp.tool.inverse() @ self.scene.box(grasp.box).pose
+        error: MotionError | None = None
+        for goal, _ in goals:
+            try:
+                solve_ik(self.arm, goal.pose @ grip.inverse(), rng=self.rng, restarts=2)
+                return
+            except UnreachableTarget as unreachable:
+                error = unreachable
+        if error is not None:
+            raise error
+
+    # The steps of a place.
+
+    def put(self, goal: Box, support: str) -> None:
+        """Adds the phases from the held box to the box at its destination and the arm at home."""
+        assert self.grip is not None and self.target is not None
+        held_width = self._held_width()
+        tool = goal.pose @ self.grip.inverse()
+        release = Pose(tool.position + np.array([0, 0, _RELEASE_HEIGHT]), tool.orientation)
+        above = Pose(release.position + np.array([0, 0, APPROACH]), tool.orientation)
+        full = self._checker(width=held_width, held=self.target, grip=self.grip)
+        lowering = Rules(hand_clearance=NEAR_CLEARANCE, resting=frozenset({support}))
+        at_release = self._reach(release, full, lowering)
+        down = self._line(release, above, at_release, full, lowering, "lower")[::-1]
+        placed = self.scene.moved({self.target: goal.pose})
+        opening = min(recipe().gripper.opened, held_width + 2 * _RELEASE_ROOM)
+        empty = self._checker(width=opening, scene=placed)
+        leaving = Rules(hand_clearance=NEAR_CLEARANCE, touching=frozenset({self.target}))
+        back = Pose(release.position - APPROACH * release.rotation[:, 2], release.orientation)
+        away = self._line(release, back, at_release, empty, leaving, "retreat")
+        rising = Rules(resting=self._touched(full, self.joints))
+        across = connect(full, self.arm, self.joints, down[0], rising, self.rng, "transfer")
+        home = connect(empty, self.arm, away[-1], recipe().home[self.arm], Rules(), self.rng, "home")
+        self._add("transfer", across, full, rising, self.width)
+        self._add("lower", down, full, lowering, self.width)
+        self._pause("open", _OPENING_TIME, opening)
+        self.scene, self.grip, self.taken = placed, None, False
+        self._add("retreat", away, empty, leaving, opening)
+        self._add("home", home, empty, Rules(), opening)
+
+    def go_home(self) -> None:
+        """Adds the phases that bring the arm home from wherever it is."""
+        home = recipe().home[self.arm]
+        held = self.state.held.get(self.arm)
+        if held is not None:
+            self.already_holding()
+        checker = self._checker(width=self.width, held=held, grip=self.grip)
+        if checker.nearest(self.joints, Rules()) is not None:
+            tool = self._robot.tool_pose(self.arm, self.joints)
+            touching = Rules(
+                touching=frozenset(box.name for box in self.scene.boxes if not box.fixed),
+                resting=self._touched(checker, self.joints),
+                hand_clearance=-0.002,
+            )
+            back = Pose(tool.position - APPROACH * tool.rotation[:, 2], tool.orientation)
+            away = self._line(tool, back, self.joints, checker, touching, "retreat")
+            self._add("retreat", away, checker, touching, self.width)
+        path = connect(checker, self.arm, self.joints, home, Rules(), self.rng, "home")
+        self._add("home", path, checker, Rules(), self.width)
+
+    # The whole.
+
+    def finished(self, kind: str, goal: Pose | None) -> Plan:
+        """The plan, after every sample of every phase has been checked against limits and contact.
+
+        Raises:
+            LimitViolation, PlanInCollision: the plan as timed breaks a limit or touches something.
+        """
+        if self.taken:
+            self._phases.append(self._still("hold", _HOLDING_TIME, self.width))
+        arm = self._robot.arm(self.arm)
+        for phase, checker, rules in self._phases:
+            check_limits(phase.trajectory, arm.joints, arm.lower, arm.upper, arm.limits)
+            near = checker.first_conflict(_thinned(phase.trajectory.positions), rules)
+            if near is not None:
+                raise _in_collision(phase.name, near, rules)
+        widths = {**self.state.widths, self.arm: self._held_width() if self.taken else self.width}
+        held = {side: name for side, name in self.state.held.items() if side != self.arm}
+        if self.taken and self.target is not None:
+            held[self.arm] = self.target
+        ends = {"left": self.state.left, "right": self.state.right, self.arm: self.joints}
+        return Plan(
+            kind=kind,
+            arm=self.arm,
+            target=self.target,
+            phases=tuple(phase for phase, _, _ in self._phases),
+            grasp=self.grasp,
+            goal=goal,
+            start=self.state,
+            end=RobotState(ends["left"], ends["right"], widths, held),
+            clearance=CLEARANCE,
+        )
+
+    # Helpers.
+
+    def _checker(
+        self, *, width: float, held: str | None = None, grip: Pose | None = None, scene: Scene | None = None
+    ) -> CollisionChecker:
+        return CollisionChecker(
+            self.scene if scene is None else scene, self.state, self.arm, width=width, held=held, grip=grip
+        )
+
+    def _reach(self, tool: Pose, checker: CollisionChecker, rules: Rules) -> Array:
+        """Joints at `tool` that `rules` allow."""
+        conflicts: list[Near] = []
+
+        def accept(joints: Array) -> bool:
+            near = checker.nearest(joints, rules)
+            if near is not None:
+                conflicts.append(near)
+            return near is None
+
+        try:
+            seed = self.joints if not self.taken else None
+            return solve_ik(self.arm, tool, seed=seed, rng=self.rng, restarts=_RESTARTS, accept=accept).joints
+        except UnreachableTarget as error:
+            if not conflicts:
+                raise
+            bodies = Counter(near.bodies for near in conflicts).most_common(1)[0][0]
+            near = next(near for near in conflicts if near.bodies == bodies)
+            raise UnreachableTarget(f"{error}: {describe(near)}", "collision", bodies=bodies) from error
+
+    def _line(
+        self, first: Pose, last: Pose, joints: Array, checker: CollisionChecker, rules: Rules, phase: str
+    ) -> list[Array]:
+        """A straight line of the tool that is free by `rules`."""
+        path = straight(self.arm, first, last, joints)
+        if path is None:
+            raise UnreachableTarget(f"the {self.arm} arm cannot follow the straight line of {phase}", "joint limit")
+        near = checker.first_conflict(path, rules)
+        if near is not None:
+            raise _in_collision(phase, near, rules)
+        return path
+
+    def _touched(self, checker: CollisionChecker, joints: Array) -> frozenset[str]:
+        """Names of what the held box touches at `joints`."""
+        return checker.around_held(joints, _RESTING)
+
+    def _home_first(self, checker: CollisionChecker) -> None:
+        home = recipe().home[self.arm]
+        if np.max(np.abs(self.joints - home)) <= _AT_HOME:
+            self._phases.append(self._still("home", 0.0, self.width))
+        else:
+            path = connect(checker, self.arm, self.joints, home, Rules(), self.rng, "home")
+            self._add("home", path, checker, Rules(), self.width)
+
+    def _add(self, name: str, path: list[Array], checker: CollisionChecker, rules: Rules, width: float) -> None:
+        trajectory = timed(path, self._robot.arm(self.arm).limits)
+        self._phases.append((Phase(name, trajectory, width, self.target if self.taken else None), checker, rules))
+        self.joints, self.width = trajectory.positions[-1], width
+
+    def _pause(self, name: str, duration: float, width: float) -> None:
+        self._phases.append(self._still(name, duration, width))
+        self.width = width
+
+    def _still(self, name: str, duration: float, width: float) -> tuple[Phase, CollisionChecker, Rules]:
+        """Standing still; what was checked before it still holds."""
+        checker, rules = self._phases[-1][1:] if self._phases else (self._checker(width=self.width), Rules())
+        return Phase(name, rest(self.joints, duration), width, self.target if self.taken else None), checker, rules
+
+    def _held_width(self) -> float:
+        if self.grasp is not None:
+            return self.grasp.width
+        return self.state.widths[self.arm]
+
+
+class Failures:
+    """Why the attempts at a target failed, and the one error that tells it best."""
+
+    def __init__(self, target: str) -> None:
+        self._target = target
+        self._noted: list[MotionError] = []
+
+    def note(self, grasp: Grasp | None, error: MotionError) -> None:
+        """One attempt failed."""
+        self._noted.append(error)
+
+    def summary(self) -> MotionError:
+        """The error to raise: of the attempts that came farthest, the most frequent reason."""
+        unreachable = [error for error in self._noted if isinstance(error, UnreachableTarget)]
+        others = [error for error in self._noted if not isinstance(error, UnreachableTarget)]
+        count = len(self._noted)
+        if others:
+            kinds = Counter(type(error) for error in others)
+            kind = kinds.most_common(1)[0][0]
+            example = next(error for error in others if type(error) is kind)
+            if isinstance(example, PlanInCollision):
+                return PlanInCollision(
+                    f"none of the {count} grasps of {self._target!r} has a free way; for example {example}",
+                    example.phase,
+                    example.bodies,
+                    example.clearance,
+                )
+            example.add_note(f"this is the most frequent of {count} failed grasps of {self._target!r}")
+            return example
+        collisions = [error for error in unreachable if error.reason == "collision" and error.bodies]
+        if collisions:
+            bodies = Counter(error.bodies for error in collisions).most_common(1)[0][0]
+            return GraspUnavailable(
+                f"every grasp of {self._target!r} that an arm reaches is obstructed, mostly {bodies[0]} by {bodies[1]}; "
+                f"what stands in the way must be moved first",
+                self._target,
+                bodies,
+            )
+        limited = [error for error in unreachable if error.reason == "joint limit"]
+        chosen = (limited or unreachable)[0]
+        return UnreachableTarget(
+            f"{self._target!r} cannot be reached by any of {count} grasps; for example {chosen}",
+            chosen.reason,
+            chosen.joints,
+            chosen.bodies,
+        )
+
+
+def _in_collision(phase: str, near: Near, rules: Rules) -> PlanInCollision:
+    return PlanInCollision(
+        f"during {phase} {describe(near)}; {1000 * rules.clearance:.0f} mm are kept, "
+        f"{1000 * rules.hand_clearance:.1f} mm between hand and boxes",
+        phase,
+        near.bodies,
+        near.distance,
+    )
+
+
+def _thinned(positions: Array) -> list[Array]:
+    """Samples of a trajectory far enough apart that checking between them is worth it (half of the grid)."""
+    kept = [positions[0]]
+    for sample in positions[1:]:
+        if np.max(np.abs(sample - kept[-1])) >= 0.008:
+            kept.append(sample)
+    kept.append(positions[-1])
+    return kept

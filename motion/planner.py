@@ -1,0 +1,176 @@
+"""Plans for a pick, a place and the way home: grasps are tried in their order until one yields a plan that is verified as a whole."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from motion.attempts import Attempt, Failures
+from motion.errors import MotionError
+from motion.goals import checked_arms, checked_destination, checked_target, heading
+from motion.grasps import grasp_candidates
+from motion.plans import Plan
+from motion.poses import Array, Pose
+from motion.recipe import recipe
+from motion.scene import Box, Scene
+from motion.state import ARMS, RobotState
+
+LIFT = 0.10
+_QUARTERS = (0.0, np.pi / 2, -np.pi / 2, np.pi)
+_FREE_TURNS = (0.0, np.pi / 4, -np.pi / 4, np.pi / 2, -np.pi / 2, 3 * np.pi / 4, -3 * np.pi / 4, np.pi)
+
+
+def plan_pick(
+    scene: Scene,
+    target: str,
+    *,
+    arm: str = "auto",
+    start: RobotState | None = None,
+    rng: np.random.Generator | None = None,
+    lift: float = LIFT,
+) -> Plan:
+    """A verified plan that takes a box and holds it above where it stood.
+
+    Args:
+        scene: where everything is.
+        target: name of the box.
+        arm: "left", "right", or "auto" for whichever does it better.
+        start: where the robot is; home by default.
+        rng: source of all chance; a fixed seed by default. The same seed gives the same plan.
+        lift: how far up, metres.
+
+    Raises:
+        UnknownBody: there is no such box.
+        InvalidGoal: it is fixed, covered, or too wide; or no hand is free.
+        UnreachableTarget: no hand gets there; `reason` says why.
+        GraspUnavailable: every grasp is obstructed by what stands around the box.
+        PlanInCollision, PathNotFound, LimitViolation: grasps exist, but no free way to them was found.
+    """
+    start = RobotState.home() if start is None else start
+    rng = np.random.default_rng(0) if rng is None else rng
+    checked_target(scene, target, start)
+    arms = checked_arms(arm, start, target)
+    failures = Failures(target)
+    for grasp in grasp_candidates(scene, target, arms):
+        attempt = Attempt(scene, start, grasp.arm, target, rng)
+        try:
+            attempt.take(grasp, lift)
+            return attempt.finished("pick", _raised(scene.box(target), lift))
+        except MotionError as error:
+            failures.note(grasp, error)
+    raise failures.summary()
+
+
+def plan_place(
+    scene: Scene,
+    target: str,
+    position: ArrayLike,
+    *,
+    yaw: float | None = None,
+    arm: str = "auto",
+    start: RobotState | None = None,
+    rng: np.random.Generator | None = None,
+) -> Plan:
+    """A verified plan that takes a box, sets it down elsewhere and goes home. A box already in a hand is only set down.
+
+    Args:
+        scene: where everything is.
+        target: name of the box.
+        position: (3,) where its centre shall be, resting on the table or on another box, metres.
+        yaw: direction of its first level edge, radians (see `goals.heading`); by default the box keeps its heading if it can.
+        arm: "left", "right", or "auto".
+        start: where the robot is; home by default.
+        rng: source of all chance; a fixed seed by default.
+
+    Raises:
+        InvalidGoal: as for `plan_pick`, or the destination is not finite, occupied, unsupported or off the table.
+        MotionError: everything else as for `plan_pick`.
+    """
+    start = RobotState.home() if start is None else start
+    rng = np.random.default_rng(0) if rng is None else rng
+    arms = checked_arms(arm, start, target)
+    box = checked_target(scene, target, start)
+    goals = _goals(scene, box, position, yaw)
+    failures = Failures(target)
+    if target in start.held.values():
+        for goal, support in goals:
+            attempt = Attempt(scene, start, arms[0], target, rng)
+            try:
+                attempt.already_holding()
+                attempt.put(goal, support)
+                return attempt.finished("place", goal.pose)
+            except MotionError as error:
+                failures.note(None, error)
+        raise failures.summary()
+    for grasp in grasp_candidates(scene, target, arms):
+        taken: Attempt | None = None
+        for goal, support in goals:
+            try:
+                if taken is None:
+                    taken = Attempt(scene, start, grasp.arm, target, rng)
+                    taken.check_put(grasp, goals)
+                    taken.take(grasp, LIFT)
+                attempt = taken.copy()
+                attempt.put(goal, support)
+                return attempt.finished("place", goal.pose)
+            except MotionError as error:
+                failures.note(grasp, error)
+                if not taken or not taken.taken:
+                    break
+    raise failures.summary()
+
+
+def plan_home(
+    scene: Scene, *, arm: str = "auto", start: RobotState | None = None, rng: np.random.Generator | None = None
+) -> Plan:
+    """A verified plan that brings one arm home, backing out of whatever its fingers surround; what it holds it keeps.
+
+    Args:
+        scene: where everything is.
+        arm: "left" or "right"; "auto" is the one that is farther from home.
+        start: where the robot is; home by default.
+        rng: source of all chance; a fixed seed by default.
+
+    Raises:
+        PlanInCollision, PathNotFound: there is no free way.
+    """
+    start = RobotState.home() if start is None else start
+    rng = np.random.default_rng(0) if rng is None else rng
+    if arm == "auto":
+        distances = {side: float(np.max(np.abs(start.joints(side) - recipe().home[side]))) for side in ARMS}
+        arm = max(ARMS, key=lambda side: distances[side])
+    attempt = Attempt(scene, start, arm, start.held.get(arm), rng)
+    attempt.go_home()
+    return attempt.finished("home", None)
+
+
+def _raised(box: Box, lift: float) -> Pose:
+    return Pose(box.position + np.array([0, 0, lift]), box.orientation)
+
+
+def _goals(scene: Scene, box: Box, position: ArrayLike, yaw: float | None) -> list[tuple[Box, str]]:
+    """The box at its destination in every turn to be tried, best first, each with what it rests on."""
+    if yaw is None:
+        turns: Array = np.array(_FREE_TURNS)
+    else:
+        wanted = yaw - heading(box)
+        quarters = np.array(_QUARTERS) if _square(box) else np.array([0.0, np.pi])
+        turns = (wanted + quarters + np.pi) % (2 * np.pi) - np.pi
+        turns = turns[np.argsort(np.abs(turns), kind="stable")]
+    goals: list[tuple[Box, str]] = []
+    first: MotionError | None = None
+    for turn in turns:
+        try:
+            goals.append(checked_destination(scene, box.name, position, float(turn)))
+        except MotionError as error:
+            first = first or error
+    if not goals and first is not None:
+        raise first
+    return goals
+
+
+def _square(box: Box) -> bool:
+    """Whether the box looks the same from above after a quarter turn."""
+    level = [i for i in range(3) if abs(box.axes[2, i]) < 0.7]
+    return len(level) == 2 and abs(box.size[level[0]] - box.size[level[1]]) < 1e-4
+
