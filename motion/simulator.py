@@ -172,6 +172,11 @@ class Simulator:
                         names.add(other)
         return tuple(sorted(touched["l"] & touched["r"]))
 
+    def copy_positions(self, data: Any) -> None:  # noqa: ANN401
+        """Writes all positions into the MjData of another model of the same scene, such as the one that is rendered."""
+        data.qpos[:] = self._data.qpos
+        data.time = self._data.time
+
     # What can be done.
 
     def execute(self, plan: Plan, on_step: StepCallback | None = None) -> Execution:
@@ -274,11 +279,10 @@ class Simulator:
                 box = bodies[second if robot[first] else first]
                 if box == target and hand[first if robot[first] else second]:
                     continue
-                if box in self.state_held_by_others(arm):
+                if box in self._in_other_hand(arm):
                     continue
             found.add((min(bodies[first], bodies[second]), max(bodies[first], bodies[second])))
         return found
 
-    def state_held_by_others(self, arm: str) -> tuple[str, ...]:
-        """Names of the boxes in the other hand."""
+    def _in_other_hand(self, arm: str) -> tuple[str, ...]:
         return tuple(name for other in ARMS if other != arm for name in self.holding(other))
