@@ -12,7 +12,6 @@ from dataclasses import dataclass
 
 from grounding.language.forest import Edge, Node
 from grounding.language.grammar import Symbol
-from grounding.language.heads import plain_tag
 from grounding.language.rules import Rules
 from grounding.language.tree import Word
 
@@ -92,81 +91,128 @@ def _fill(rules: Rules, sentence: Sequence[Sequence[Lexeme]], beam: Beam) -> lis
     """All constituents, by first word and by the word after the last."""
     size = len(sentence)
     complete: list[list[Table]] = [[{} for _ in range(size + 1)] for _ in range(size + 1)]
-    rightwards: list[list[Table]] = [[{} for _ in range(size + 1)] for _ in range(size + 1)]
-    leftwards: list[list[Table]] = [[{} for _ in range(size + 1)] for _ in range(size + 1)]
+    # Unfinished phrases: those open to the right by first word, those open to the left (for one end) by start.
+    rightwards: list[list[tuple[int, Table]]] = [[] for _ in range(size)]
+    tags_before: frozenset[str] = frozenset()
+    ending: list[frozenset[str]] = [tags_before]
     for end in range(1, size + 1):
+        leftwards: list[tuple[int, Table]] = []
         for start in range(end - 1, max(-1, end - 1 - beam.span), -1):
-            whole, right, left = complete[start][end], rightwards[start][end], leftwards[start][end]
+            whole, right, left = complete[start][end], {}, {}
             if end - start == 1:
                 for reading in sentence[start]:
                     symbol = rules.symbol(Symbol(reading.word.tag, reading.label))
                     whole[symbol] = Node(reading.log_probability, [], reading.word)
             else:
-                for middle in range(start + 1, end):
-                    if rightwards[start][middle] and complete[middle][end]:
-                        _extend_right(rules, rightwards[start][middle], complete[middle][end], right)
-                    if leftwards[middle][end] and complete[start][middle]:
-                        _extend_left(rules, complete[start][middle], leftwards[middle][end], left)
+                _extend_right(rules, rightwards[start], complete, end, right)
+                _extend_left(rules, complete[start], leftwards, left)
                 if not right and not left:
                     continue
                 _prune(right, rules.state_rank, beam)
                 _prune(left, rules.state_rank, beam)
                 for state, node in [*right.items(), *left.items()]:
-                    _close(rules, state, node, whole, left)
+                    _close(rules, state, node, whole, left, ending[start])
                 _prune(whole, rules.symbol_rank, beam)
-            _start(rules, whole, right, left)
+            _start(rules, whole, right, left, ending[start])
+            if right and end < size:
+                rightwards[start].append((end, right))
+            if left:
+                leftwards.append((start, left))
+        ending.append(frozenset(rules.symbols[symbol].tag for row in complete for symbol in row[end]))
     return complete
 
 
-def _extend_right(rules: Rules, states: Table, symbols: Table, target: Table) -> None:
-    for state, node in states.items():
-        steps = rules.takes[state]
-        for symbol, child in symbols.items():
-            step = steps[symbol] if symbol in steps else rules.take(state, symbol)
-            if step is not None:
-                _add(target, step[0], step[1], node, child)
-
-
-def _extend_left(rules: Rules, symbols: Table, states: Table, target: Table) -> None:
-    for state, node in states.items():
-        steps = rules.takes[state]
-        for symbol, child in symbols.items():
-            step = steps[symbol] if symbol in steps else rules.take(state, symbol)
-            if step is not None:
-                _add(target, step[0], step[1], child, node)
-
-
-def _add(
-    table: Table, number: int, weight: float, first: Node, second: Node | None, content: str | None = None
+def _extend_right(
+    rules: Rules, unfinished: list[tuple[int, Table]], complete: list[list[Table]], end: int, target: Table
 ) -> None:
-    score = weight + first.score + (second.score if second is not None else 0.0)
+    """Add the constituents that reach to `end` to the unfinished phrases of one start."""
+    takes, take = rules.takes, rules.take
+    for middle, states in unfinished:
+        symbols = complete[middle][end]
+        if not symbols:
+            continue
+        for state, node in states.items():
+            steps = takes[state]
+            for symbol, child in symbols.items():
+                step = steps[symbol] if symbol in steps else take(state, symbol)
+                if step is not None:
+                    number, weight = step
+                    score = weight + node.score + child.score
+                    found = target.get(number)
+                    if found is None:
+                        target[number] = Node(score, [(weight, node, child)])
+                    else:
+                        found.edges.append((weight, node, child))
+                        if score > found.score:
+                            found.score = score
+
+
+def _extend_left(rules: Rules, row: list[Table], unfinished: list[tuple[int, Table]], target: Table) -> None:
+    """Add the constituents of one start to the unfinished phrases of one end."""
+    takes, take = rules.takes, rules.take
+    for middle, states in unfinished:
+        symbols = row[middle]
+        if not symbols:
+            continue
+        for state, node in states.items():
+            steps = takes[state]
+            for symbol, child in symbols.items():
+                step = steps[symbol] if symbol in steps else take(state, symbol)
+                if step is not None:
+                    _add(target, step[0], step[1], child, node)
+
+
+def _add(table: Table, number: int, weight: float, first: Node, second: Node) -> None:
+    score = weight + first.score + second.score
     node = table.get(number)
     if node is None:
-        table[number] = Node(score, [(weight, first, second)], content)
+        table[number] = Node(score, [(weight, first, second)])
     else:
         node.edges.append((weight, first, second))
         if score > node.score:
             node.score = score
 
 
-def _close(rules: Rules, state: int, node: Node, whole: Table, left: Table) -> None:
-    symbol, after = rules.close(state)
-    if symbol is not None:
-        _add(whole, symbol[0], symbol[1], node, None, plain_tag(rules.symbols[symbol[0]].tag))
-    if after is not None:
-        _add(left, after[0], after[1], node, None)
+def _close(rules: Rules, state: int, node: Node, whole: Table, left: Table, before: frozenset[str]) -> None:
+    """Close a side of an unfinished phrase; where it is the right one, go on to the left if a child can be there."""
+    closed = rules.close(state)
+    if closed.symbol is not None:
+        number, weight = closed.symbol
+        score = weight + node.score
+        found = whole.get(number)
+        if found is None:
+            whole[number] = Node(score, [(weight, node, None)], rules.plain_tags[number])
+        else:
+            found.edges.append((weight, node, None))
+            if score > found.score:
+                found.score = score
+    if closed.state is not None and not closed.wanted.isdisjoint(before):
+        number, weight = closed.state
+        score = weight + node.score
+        found = left.get(number)
+        if found is None:
+            left[number] = Node(score, [(weight, node, None)])
+        else:
+            found.edges.append((weight, node, None))
+            if score > found.score:
+                found.score = score
 
 
-def _start(rules: Rules, whole: Table, right: Table, left: Table) -> None:
+def _start(rules: Rules, whole: Table, right: Table, left: Table, before: frozenset[str]) -> None:
     """Make every constituent of a cell the head of what it can be, constituents that this makes included."""
-    for level in range(rules.levels):
-        for symbol in [symbol for symbol in whole if rules.depth[symbol] == level]:
-            node = whole[symbol]
-            for state, weight, grows in rules.starts(symbol):
-                part = Node(weight + node.score, [(weight, node, None)])
-                if grows:
-                    right[state] = part
-                _close(rules, state, part, whole, left)
+    depth = rules.depth
+    pending = sorted(whole, key=depth.__getitem__)
+    while pending:
+        symbol = pending.pop(0)
+        node = whole[symbol]
+        known = len(whole)
+        for state, weight, grows in rules.starts(symbol):
+            part = Node(weight + node.score, [(weight, node, None)])
+            if grows:
+                right[state] = part
+            _close(rules, state, part, whole, left, before)
+        if len(whole) > known:
+            pending = sorted({*pending, *list(whole)[known:]}, key=lambda number: (depth[number], number))
 
 
 def _prune(table: Table, rank: list[float], beam: Beam) -> None:

@@ -26,7 +26,10 @@ from grounding.language.tags import TagModel
 from grounding.language.tree import Phrase
 
 START_TAGS = ("NP", "NPB", "S", "SQ", "VP")
-_NOVELTY = 1.0
+_HEAD_NOVELTY = 1.0
+_TAG_NOVELTY = 1.0
+_LABEL_NOVELTY = 1.0
+_OBJECT_NOVELTY = 1.0
 _FORMAT = "grounding grammar"
 _VERSION = 1
 
@@ -158,9 +161,13 @@ class Grammar:
         return tuple(sorted({event.tag for event in self.heads}))
 
     @cached_property
-    def sides(self) -> frozenset[tuple[str, str]]:
-        """(phrase tag, side) of every side on which some phrase has children."""
-        return frozenset((event.tag, event.side) for event in self.children if event.child_tag != STOP)
+    def sides(self) -> Mapping[tuple[str, str], frozenset[str]]:
+        """(phrase tag, side) -> the tags of the children seen there; only sides that have any."""
+        table: dict[tuple[str, str], set[str]] = {}
+        for event in self.children:
+            if event.child_tag != STOP:
+                table.setdefault((event.tag, event.side), set()).add(event.child_tag)
+        return {key: frozenset(tags) for key, tags in table.items()}
 
     @cached_property
     def mothers(self) -> Mapping[str, tuple[str, ...]]:
@@ -251,7 +258,7 @@ class Grammar:
     def _heads(self) -> BackOff:
         return BackOff(
             ((_head_contexts(event.tag, event.label), event.child_tag, count) for event, count in self.heads.items()),
-            _NOVELTY,
+            _HEAD_NOVELTY,
         )
 
     @cached_property
@@ -261,7 +268,7 @@ class Grammar:
                 (_tag_contexts(_state(event)), "NP" if event.child_label.startswith(OBJECT) else event.child_tag, count)
                 for event, count in self.children.items()
             ),
-            _NOVELTY,
+            _TAG_NOVELTY,
         )
 
     @cached_property
@@ -271,11 +278,11 @@ class Grammar:
             for event, count in self.children.items()
             if event.child_tag != STOP and not event.child_label.startswith(OBJECT)
         )
-        return BackOff(events, _NOVELTY)
+        return BackOff(events, _LABEL_NOVELTY)
 
     @cached_property
     def _objects(self) -> BackOff:
-        return BackOff(self._object_events(), _NOVELTY)
+        return BackOff(self._object_events(), _OBJECT_NOVELTY)
 
     def _object_events(self) -> Iterator[tuple[tuple[tuple[str, ...], ...], str, float]]:
         for event, count in self.children.items():

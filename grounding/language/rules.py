@@ -11,6 +11,7 @@ from typing import NamedTuple
 
 from grounding.language.events import ROOT, join_label, split_label
 from grounding.language.grammar import Grammar, State, Symbol, awaits_object
+from grounding.language.heads import plain_tag
 
 Step = tuple[int, float]
 """A state or symbol by number, and the log probability of getting there."""
@@ -32,6 +33,8 @@ class Close(NamedTuple):
     """The complete phrase, both sides closed."""
     state: Step | None
     """The state that takes children to the left, of a state whose right side closes."""
+    wanted: frozenset[str]
+    """The tags of these children."""
 
 
 class Rules:
@@ -47,6 +50,8 @@ class Rules:
         """The same for the symbol that each state is to become."""
         self.depth: list[int] = []
         """For each symbol, how long a chain of only children can be below it; 0 for words."""
+        self.plain_tags: list[str] = []
+        """For each symbol, its tag in the tree."""
         self.takes: list[dict[int, Step | None]] = []
         """For each state, the steps worked out so far: symbol -> state after it."""
         self._symbol_numbers: dict[Symbol, int] = {}
@@ -56,7 +61,6 @@ class Rules:
         self._tops: dict[int, float | None] = {}
         self._root = State(ROOT, "", "", "R", "^", False)
         self._depths = _depths(grammar)
-        self.levels = 1 + max(self._depths.values(), default=0)
 
     def symbol(self, symbol: Symbol) -> int:
         """The number of a symbol."""
@@ -64,6 +68,7 @@ class Rules:
         if number is None:
             number = self._symbol_numbers[symbol] = len(self.symbols)
             self.symbols.append(symbol)
+            self.plain_tags.append(plain_tag(symbol.tag))
             self.symbol_rank.append(log(self.grammar.share(symbol)))
             self.depth.append(self._depths.get(symbol.tag, 0))
         return number
@@ -121,17 +126,18 @@ class Rules:
     def _find_close(self, state: State) -> Close:
         chance = self.grammar.stop_probability(state)
         if not chance:
-            return Close(None, None)
+            return Close(None, None, frozenset())
         whole = not state.bare or (state.tag, state.head) in self.grammar.chains
         symbol = self.symbol(Symbol(state.tag, join_label(state.label, state.object))) if whole else -1
         if state.side == "L":
-            return Close((symbol, log(chance)) if whole else None, None)
+            return Close((symbol, log(chance)) if whole else None, None, frozenset())
         after = state._replace(side="L", previous="^" + state.head)
-        grows = (state.tag, "L") in self.grammar.sides
+        wanted = self.grammar.sides.get((state.tag, "L"), frozenset())
         final = self.grammar.stop_probability(after)
         return Close(
             (symbol, log(chance * final)) if whole and final else None,
-            (self._state(after), log(chance)) if grows else None,
+            (self._state(after), log(chance)) if wanted else None,
+            wanted,
         )
 
 
