@@ -242,7 +242,8 @@ class Attempt:
             self._add("home", path, checker, Rules(), self.width)
 
     def _add(self, name: str, path: list[Array], checker: CollisionChecker, rules: Rules, width: float) -> None:
-        trajectory = timed(path, self._robot.arm(self.arm).limits)
+        speed = recipe().carrying_speed if self.taken else 1.0
+        trajectory = timed(path, self._robot.arm(self.arm).limits, speed)
         self._phases.append((Phase(name, trajectory, width, self.target if self.taken else None), checker, rules))
         self.joints, self.width = trajectory.positions[-1], width
 

@@ -68,6 +68,7 @@ class Recipe:
     visual_faces: int
     dummy_sphere_radius: float
     limits: JointLimits
+    carrying_speed: float
     actuators: dict[str, Any]
     gripper: GripperRecipe
     inertia: dict[str, float]
@@ -89,6 +90,7 @@ def recipe() -> Recipe:
         limits=JointLimits(
             frozen(limits["velocity"]), frozen(limits["acceleration"]), frozen(limits["jerk"]), limits["position_margin"]
         ),
+        carrying_speed=float(data["carrying_speed"]),
         actuators=data["actuators"],
         gripper=GripperRecipe(**data["gripper"]),
         inertia=data["inertia"],

@@ -65,16 +65,16 @@ def timed(path: Sequence[Array], limits: JointLimits, speed: float = 1.0) -> Tra
     Args:
         path: waypoints, (7,) radians each; the curve cuts corners by less than the spacing of its knots (0.12 rad).
         limits: velocity, acceleration and jerk of each joint.
-        speed: fraction of the limits to use, in (0, 1].
+        speed: fraction of the quickest speed, in (0, 1]: everything takes 1 / speed as long.
     """
     if max(float(np.max(np.abs(waypoint - path[0]))) for waypoint in path) < 1e-9:
         return rest(path[-1])
     spline = _Spline(path)
     fine = spline.evaluate(np.linspace(0, 1, 8 * spline.pieces + 1))
     slope = np.maximum(np.max(np.abs(fine[1]), axis=0), 1e-9)
-    velocity = speed * 0.999 * float(np.min(limits.velocity / slope))
-    acceleration = speed * 0.999 * float(np.min(limits.acceleration / slope))
-    jerk = speed * 0.999 * float(np.min(limits.jerk / slope))
+    velocity = 0.999 * speed * float(np.min(limits.velocity / slope))
+    acceleration = 0.999 * speed**2 * float(np.min(limits.acceleration / slope))
+    jerk = 0.999 * speed**3 * float(np.min(limits.jerk / slope))
     for _ in range(4):
         s, ds, dds, ddds = _profile(velocity, acceleration, jerk)
         q, d1, d2, d3 = spline.evaluate(s)
