@@ -7,7 +7,6 @@ quaternions w, x, y, z.
 from __future__ import annotations
 
 import json
-import math
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from functools import cached_property
@@ -23,6 +22,7 @@ Array = NDArray[np.float64]
 
 _KEYS = ("id", "type", "color", "position", "orientation", "size")
 _UNIT_TOLERANCE = 1e-3  # on the quaternion's norm: files are written with few digits
+_HUGE = 1e9  # no coordinate reaches this
 _EXACT = 1e-12  # nearer to 1 a norm is left alone, so that what was written is what is read
 FURNITURE = ("table", "robot", "floor")  # types that instructions do not mean by "block" or "object"
 
@@ -209,8 +209,8 @@ def read_json(path: Path | str, what: str = "file") -> Any:
         raise WorldError(f"{path}: cannot be read as a {what}: {error}") from error
     try:
         return json.loads(text)
-    except (json.JSONDecodeError, RecursionError) as error:
-        detail = f"line {error.lineno}: {error.msg}" if isinstance(error, json.JSONDecodeError) else "nested too deeply"
+    except (ValueError, RecursionError) as error:  # also an integer of thousands of digits
+        detail = f"line {error.lineno}: {error.msg}" if isinstance(error, json.JSONDecodeError) else str(error)
         raise WorldError(f"{path}: not a whole JSON {what} ({detail}); is it truncated?") from error
 
 
@@ -265,8 +265,9 @@ def _numbers(value: Any, count: int, who: str, key: str) -> Array:
     for number in value:
         if isinstance(number, bool) or not isinstance(number, int | float):
             raise WorldError(f"{who}: {key!r} holds {number!r}, which is no number")
-        if not math.isfinite(number):
-            raise WorldError(f"{who}: {key!r} holds {number!r}; every number is finite")
+        if not abs(number) < _HUGE:
+            shown = f"{number!r}" if isinstance(number, float) else f"an integer of {number.bit_length()} bits"
+            raise WorldError(f"{who}: {key!r} holds {shown}; every number is finite and below {_HUGE:g}")
     return _read_only(value)
 
 

@@ -191,7 +191,7 @@ def read_corpus(path: Path | str, keep_going: bool = False) -> Corpus:
         with problems.at(f"{path}: line {number}"):
             try:
                 data = json.loads(line)
-            except (json.JSONDecodeError, RecursionError) as error:
+            except (ValueError, RecursionError) as error:
                 raise CorpusError(f"not a whole JSON object ({error}); is it truncated?") from error
             example = example_from_json(data, worlds)
             if example.id in examples:
