@@ -1,0 +1,144 @@
+"""What a picture of a grounding marks: the objects acted on, the containers and references of its phrases."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from grounding.pictures.palette import MARKS, Rgb
+from grounding.result import GroundedAction, Grounding, PhraseGrounding
+from grounding.symbols import (
+    LAST,
+    Action,
+    Cardinal,
+    Container,
+    ContainerAttribute,
+    ObjectAttribute,
+    ObjectColor,
+    ObjectSymbol,
+    ObjectType,
+    Ordinal,
+    Region,
+    SpatialReference,
+    Symbol,
+)
+from grounding.world import Array
+
+EXPRESSED = 0.5
+"""A symbol of this probability and more is taken to be meant, beside the likeliest."""
+_MOST = len(MARKS)
+_RELATIONS = {
+    "top": "on", "bottom": "under", "near": "beside", "left": "left of", "right": "right of", "front": "before",
+    "back": "behind", "between": "between", "center": "in the middle of", "far": "far from",
+}  # fmt: skip
+
+
+@dataclass(frozen=True, eq=False)
+class Mark:
+    """Objects that a picture points out.
+
+    Attributes:
+        text: the phrase that means them.
+        role: "object" (each is ringed), "container" (one line around all) or "region" (a dashed line around all).
+        objects: their ids.
+        probability: of the phrase's meaning.
+        color: of the marking and of its text.
+        destination: where they are brought to, (3,) in the world's frame in [m], or None.
+        meaning: the symbol in words.
+    """
+
+    text: str
+    role: str
+    objects: tuple[str, ...]
+    probability: float
+    color: Rgb
+    destination: Array | None = None
+    meaning: str = ""
+
+
+def expressed(phrase: PhraseGrounding) -> tuple[tuple[Symbol, float], ...]:
+    """The symbols that a phrase is taken to mean: the likeliest, and every other that is likelier than not."""
+    first, rest = phrase.groundings[:1], phrase.groundings[1:]
+    return first + tuple(pair for pair in rest if pair[1] >= EXPRESSED)
+
+
+def meaning_of(symbol: Symbol) -> str:
+    """A symbol in the fewest words."""
+    match symbol:
+        case ObjectSymbol(name) | ObjectType(name) | ObjectColor(name) | SpatialReference(name):
+            return name
+        case Cardinal(number):
+            return str(number)
+        case Ordinal(number):
+            return "last" if number == LAST else f"number {number}"
+        case Container(kind, objects):
+            return f"{kind} of {' '.join(objects)}" if objects else kind
+        case Region(relation, kind, objects):
+            whole = "" if kind == "object" else f"the {kind} of "
+            return f"{_RELATIONS[relation]} {whole}{' '.join(objects)}".strip()
+        case ObjectAttribute(label, color, relation, index):
+            return _said(color, label, relation, None if index in (None, 1) else f"number {index}")
+        case ContainerAttribute(label, color, relation, number):
+            return _said(None if number is None else str(number), color, label, relation)
+        case Action(kind, objects, destination):
+            where = "" if destination is None else meaning_of(destination)
+            return " ".join(part for part in (kind, *objects, where) if part)
+    return str(symbol)
+
+
+def _said(*parts: str | None) -> str:
+    return " ".join(part for part in parts if part) or "anything"
+
+
+def marks_of(grounding: Grounding) -> tuple[Mark, ...]:
+    """The marks of a grounding, what is acted on first; of an ambiguous one its readings.
+
+    Phrases that mean the same objects share one mark, named by the longest noun phrase among them.
+    """
+    if grounding.outcome != "grounded":
+        readings = grounding.alternatives[:_MOST]
+        return tuple(_of_action(grounding, action, MARKS[i]) for i, action in enumerate(readings))
+    marks = [_of_action(grounding, action, MARKS[0]) for action in grounding.actions[:2]]
+    seen = {(mark.role, frozenset(mark.objects)) for mark in marks}
+    for phrase in sorted(grounding.phrases, key=lambda p: (p.tag != "NP", p.depth, p.words)):
+        for role, objects, probability, meaning in _marked(phrase):
+            key = (role, frozenset(objects))
+            taken = [frozenset(mark.objects) for mark in marks if mark.role == role]
+            if key in seen or len(marks) >= _MOST or (role == "object" and any(key[1] <= other for other in taken)):
+                continue
+            seen.add(key)
+            marks.append(Mark(phrase.text, role, objects, probability, MARKS[len(marks)], None, meaning))
+    return tuple(marks)
+
+
+def _marked(phrase: PhraseGrounding) -> list[tuple[str, tuple[str, ...], float, str]]:
+    """Roles, objects, probability and meaning of what a phrase marks."""
+    found = expressed(phrase)
+    single = [(symbol.id, p) for symbol, p in found if isinstance(symbol, ObjectSymbol)]
+    result = [
+        ("container", symbol.objects, p, meaning_of(symbol))
+        for symbol, p in found
+        if isinstance(symbol, Container) and symbol.objects
+    ]
+    if single:
+        names = tuple(name for name, _ in single)
+        result.append(("object", names, min(p for _, p in single), " ".join(names)))
+    return result
+
+
+def _of_action(grounding: Grounding, action: GroundedAction, color: Rgb) -> Mark:
+    named = [
+        phrase
+        for phrase in grounding.phrases
+        if phrase.tag == "NP"
+        and {symbol.id for symbol, _ in expressed(phrase) if isinstance(symbol, ObjectSymbol)} == set(action.objects)
+    ]
+    text = min(named, key=lambda phrase: (phrase.depth, phrase.words)).text if named else grounding.instruction
+    meaning = f"{action.action} {' '.join(action.objects)}"
+    place = action.destination
+    if place is not None and place.relation is not None:
+        meaning += f" {_RELATIONS.get(place.relation, place.relation)} {' '.join(place.reference)}".rstrip()
+    if place is None:
+        return Mark(text, "object", action.objects, action.probability, color, None, meaning)
+    return Mark(text, "object", action.objects, action.probability, color, np.array(place.position), meaning)
