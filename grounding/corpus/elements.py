@@ -49,7 +49,7 @@ def read_elements(path: Path | str) -> Element:
     """Read an XML file.
 
     Raises:
-        CorpusError: the file cannot be read or is not well-formed; names the file and the line.
+        CorpusError: the file cannot be read or is not well-formed; names the line, the caller names the file.
     """
     top = Element("", {}, 0)
     stack = [top]
@@ -65,9 +65,8 @@ def read_elements(path: Path | str) -> Element:
     try:
         parser.Parse(Path(path).read_bytes(), True)
     except OSError as error:
-        raise CorpusError(f"{path}: cannot be read: {error}") from error
+        raise CorpusError(f"cannot be read: {error.strerror}") from error
     except expat.ExpatError as error:
-        raise CorpusError(
-            f"{path}: line {error.lineno}: not well-formed XML: {expat.errors.messages[error.code]}"
-        ) from error
+        reason = expat.errors.messages[error.code]
+        raise CorpusError(f"line {error.lineno}: not well-formed XML: {reason}") from error
     return top.children[0]

@@ -26,10 +26,10 @@ class Problems:
         """Read one element; a refusal inside is named after `place`, the innermost one where several are entered."""
         try:
             yield
-        except GroundingError as error:
+        except (GroundingError, RecursionError) as error:
             if error is self._raised:
                 raise
-            problem = CorpusError(f"{place}: {error}")
+            problem = CorpusError(f"{place}: {error if isinstance(error, GroundingError) else 'nested too deeply'}")
             if not self.keep_going:
                 self._raised = problem
                 raise problem from error
