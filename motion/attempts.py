@@ -18,7 +18,7 @@ from motion.recipe import recipe
 from motion.robot import load_robot
 from motion.scene import Box, Scene
 from motion.state import RobotState
-from motion.timing import check_limits, rest, timed
+from motion.timing import KNOT_SPACINGS, Trajectory, check_limits, rest, timed
 
 APPROACH = 0.08
 NEAR_CLEARANCE = 0.0015
@@ -51,7 +51,7 @@ class Attempt:
         self.grip: Pose | None = None
         self.taken = False
         self._robot = load_robot()
-        self._phases: list[tuple[Phase, CollisionChecker, Rules]] = []
+        self._phases: list[Phase] = []
 
     def copy(self) -> Attempt:
         """An attempt that begins with the same phases."""
@@ -158,19 +158,9 @@ class Attempt:
     # The whole.
 
     def finished(self, kind: str, goal: Pose | None) -> Plan:
-        """The plan, after every sample of every phase has been checked against limits and contact.
-
-        Raises:
-            LimitViolation, PlanInCollision: the plan as timed breaks a limit or touches something.
-        """
+        """The plan. Every phase was checked against limits and contact, sample by sample, when it was added."""
         if self.taken:
             self._phases.append(self._still("hold", _HOLDING_TIME, self.width))
-        arm = self._robot.arm(self.arm)
-        for phase, checker, rules in self._phases:
-            check_limits(phase.trajectory, arm.joints, arm.lower, arm.upper, arm.limits)
-            near = checker.first_conflict(_thinned(phase.trajectory.positions), rules)
-            if near is not None:
-                raise _in_collision(phase.name, near, rules)
         widths = {**self.state.widths, self.arm: self._held_width() if self.taken else self.width}
         held = {side: name for side, name in self.state.held.items() if side != self.arm}
         if self.taken and self.target is not None:
@@ -180,7 +170,7 @@ class Attempt:
             kind=kind,
             arm=self.arm,
             target=self.target,
-            phases=tuple(phase for phase, _, _ in self._phases),
+            phases=tuple(self._phases),
             grasp=self.grasp,
             goal=goal,
             start=self.state,
@@ -242,19 +232,30 @@ class Attempt:
             self._add("home", path, checker, Rules(), self.width)
 
     def _add(self, name: str, path: list[Array], checker: CollisionChecker, rules: Rules, width: float) -> None:
-        speed = recipe().carrying_speed if self.taken else 1.0
-        trajectory = timed(path, self._robot.arm(self.arm).limits, speed)
-        self._phases.append((Phase(name, trajectory, width, self.target if self.taken else None), checker, rules))
+        trajectory = self._verified(name, path, checker, rules)
+        self._phases.append(Phase(name, trajectory, width, self.target if self.taken else None))
         self.joints, self.width = trajectory.positions[-1], width
+
+    def _verified(self, name: str, path: list[Array], checker: CollisionChecker, rules: Rules) -> Trajectory:
+        """The quickest trajectory along `path` that keeps all limits and, sample by sample, all distances."""
+        arm = self._robot.arm(self.arm)
+        speed = recipe().carrying_speed if self.taken else 1.0
+        near: Near | None = None
+        for spacing in KNOT_SPACINGS if len(path) > 2 else KNOT_SPACINGS[-1:]:
+            trajectory = timed(path, arm.limits, speed, spacing)
+            check_limits(trajectory, arm.joints, arm.lower, arm.upper, arm.limits)
+            near = checker.first_conflict(_thinned(trajectory.positions), rules)
+            if near is None:
+                return trajectory
+        assert near is not None
+        raise _in_collision(name, near, rules)
 
     def _pause(self, name: str, duration: float, width: float) -> None:
         self._phases.append(self._still(name, duration, width))
         self.width = width
 
-    def _still(self, name: str, duration: float, width: float) -> tuple[Phase, CollisionChecker, Rules]:
-        """Standing still; what was checked before it still holds."""
-        checker, rules = self._phases[-1][1:] if self._phases else (self._checker(width=self.width), Rules())
-        return Phase(name, rest(self.joints, duration), width, self.target if self.taken else None), checker, rules
+    def _still(self, name: str, duration: float, width: float) -> Phase:
+        return Phase(name, rest(self.joints, duration), width, self.target if self.taken else None)
 
     def _held_width(self) -> float:
         if self.grasp is not None:

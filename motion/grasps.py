@@ -121,8 +121,7 @@ def _cost(box: Box, arm: str, rotation: Array, tilt: float) -> float:
     """Prefers the hand on the box's side, a hand that points down, and a wrist turned little from where it is at home."""
     side = 1.0 if arm == "left" else -1.0
     across = max(0.0, 0.05 - side * float(box.position[1]))
-    outward = np.array([-1.0, 0.3 * side, 0.0])
-    turn = float(np.arccos(np.clip(rotation[:, 0] @ outward / np.linalg.norm(outward), -1, 1)))
+    turn = float(np.arccos(np.clip(-rotation[0, 0], -1, 1)))
     return 4.0 * across + 0.6 * abs(tilt) + 0.25 * turn
 
 

@@ -17,7 +17,8 @@ from motion.errors import LimitViolation
 from motion.poses import Array, frozen
 from motion.recipe import JointLimits, recipe
 
-_KNOT_SPACING = 0.12
+KNOT_SPACINGS = (0.8, 0.4, 0.2, 0.1)
+"""Distances between a curve's knots in joint space, radians: the wider, the quicker and the farther it cuts corners."""
 _TOLERANCE = 1e-3
 
 
@@ -59,17 +60,20 @@ def rest(joints: Array, duration: float = 0.0) -> Trajectory:
     return Trajectory(sampling_period(), np.tile(joints, (count, 1)), zeros, zeros)
 
 
-def timed(path: Sequence[Array], limits: JointLimits, speed: float = 1.0) -> Trajectory:
+def timed(
+    path: Sequence[Array], limits: JointLimits, speed: float = 1.0, spacing: float = KNOT_SPACINGS[-1]
+) -> Trajectory:
     """The quickest trajectory of this family along `path`, from rest to rest.
 
     Args:
-        path: waypoints, (7,) radians each; the curve cuts corners by less than the spacing of its knots (0.12 rad).
+        path: waypoints, (7,) radians each.
         limits: velocity, acceleration and jerk of each joint.
         speed: fraction of the quickest speed, in (0, 1]: everything takes 1 / speed as long.
+        spacing: distance between the curve's knots, radians; it cuts corners by less than that.
     """
     if max(float(np.max(np.abs(waypoint - path[0]))) for waypoint in path) < 1e-9:
         return rest(path[-1])
-    spline = _Spline(path)
+    spline = _Spline(path, spacing)
     fine = spline.evaluate(np.linspace(0, 1, 8 * spline.pieces + 1))
     slope = np.maximum(np.max(np.abs(fine[1]), axis=0), 1e-9)
     velocity = 0.999 * speed * float(np.min(limits.velocity / slope))
@@ -144,13 +148,13 @@ class _Spline:
     polyline is run through at constant speed.
     """
 
-    def __init__(self, path: Sequence[Array]) -> None:
+    def __init__(self, path: Sequence[Array], spacing: float) -> None:
         waypoints = np.array(path, dtype=np.float64)
         lengths = np.linalg.norm(np.diff(waypoints, axis=0), axis=1)
         kept = np.concatenate([[True], lengths > 1e-9])
         waypoints, lengths = waypoints[kept], lengths[kept[1:]]
         along = np.concatenate([[0.0], np.cumsum(lengths)]) / lengths.sum()
-        pieces = max(1, int(np.ceil(lengths.sum() / _KNOT_SPACING))) if len(waypoints) > 2 else 1
+        pieces = max(1, int(np.ceil(lengths.sum() / spacing)) + 1) if len(waypoints) > 2 else 1
         self.pieces = pieces
         self._knots = np.concatenate([np.zeros(3), np.linspace(0, 1, pieces + 1), np.ones(3)])
         greville = (self._knots[1:-3] + self._knots[2:-2] + self._knots[3:-1]) / 3

@@ -1,0 +1,154 @@
+"""Random worlds of 4 to 20 blocks: is a pick, and a place, planned, and does physics agree? Prints JSON.
+
+    python benchmarks/motion_picks.py --episodes 100 --seed 0
+
+Every third world has blocks turned onto other faces, every fourth a tower. A block "within reach" is one over the part of the
+table that either arm reaches from above; goals of places are free spots of that part, or tops of other blocks.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import sys
+import time
+from collections import Counter
+from typing import Any
+
+import numpy as np
+
+from motion import Box, MotionError, RobotState, Scene, Simulator, plan_pick, plan_place
+from motion.outlines import overlap
+from motion.poses import Pose, about, quaternion
+
+TABLE = Box("table", (0.65, 0.0, 0.691), size=(0.7, 1.8, 0.04), color=(0.9, 0.9, 0.9, 1.0), fixed=True)
+TABLE_TOP = 0.711
+REACH = (0.42, 0.76)
+
+
+def random_scene(rng: np.random.Generator, episode: int) -> Scene:
+    """A table with 4 to 20 loose blocks of 4 or 5 cm, at least 12 mm apart."""
+    count = int(rng.integers(4, 21))
+    edge = 0.05 if rng.uniform() < 0.7 else 0.04
+    boxes = [TABLE]
+    while len(boxes) <= count:
+        x, y = rng.uniform(*REACH), rng.uniform(-0.75, 0.75)
+        rotation = about((0, 0, 1), rng.uniform(-np.pi, np.pi))
+        if episode % 3 == 0:
+            rotation = rotation @ _any_face(rng)
+        box = Box(f"b{len(boxes)}", (x, y, TABLE_TOP + edge / 2), quaternion(rotation), (edge,) * 3)
+        if all(overlap(box.footprint, other.footprint) < -0.012 for other in boxes[1:]):
+            boxes.append(box)
+    if episode % 4 == 0:
+        base, top = boxes[1], boxes[2]
+        boxes[2] = top.at(Pose(base.position + np.array([0, 0, edge]), base.orientation))
+    return Scene(tuple(boxes))
+
+
+def run(episodes: int, seed: int) -> dict[str, Any]:
+    """Plans and simulates; the report."""
+    report: dict[str, Any] = {}
+    for kind in ("pick", "place"):
+        planning, errors, turned, bystanders, durations, clock = [], [], [], [], [], []
+        reasons: Counter[str] = Counter()
+        outcomes: Counter[str] = Counter()
+        failures: list[dict[str, Any]] = []
+        for episode in range(episodes):
+            rng = np.random.default_rng([seed, episode])
+            scene = random_scene(rng, episode)
+            loose = [box for box in scene.boxes if not box.fixed and not scene.boxes_above(box.name)]
+            target = loose[int(rng.integers(len(loose)))]
+            goal = _goal(scene, target, rng)
+            begin = time.perf_counter()
+            try:
+                if kind == "pick":
+                    plan = plan_pick(scene, target.name, rng=rng)
+                else:
+                    plan = plan_place(scene, target.name, goal, rng=rng)
+            except MotionError as error:
+                reasons[type(error).__name__] += 1
+                outcomes["not planned"] += 1
+                failures.append({"episode": episode, "target": target.name, "error": str(error)[:300]})
+                planning.append(time.perf_counter() - begin)
+                continue
+            planning.append(time.perf_counter() - begin)
+            begin = time.perf_counter()
+            with Simulator(scene, RobotState.home()) as simulator:
+                execution = simulator.execute(plan)
+                simulator.hold(2.0 if kind == "pick" else 0.5)
+                poses = simulator.poses()
+                held = target.name in simulator.holding(plan.arm)
+            clock.append((time.perf_counter() - begin) / (plan.duration + (2.0 if kind == "pick" else 0.5)))
+            assert plan.goal is not None
+            error_m, error_rad = poses[target.name].distance(plan.goal)
+            others = max(
+                (poses[b.name].distance(b.pose)[0] for b in scene.boxes if b.name != target.name and not b.fixed), default=0.0
+            )
+            errors.append(1000 * error_m)
+            turned.append(error_rad)
+            bystanders.append(1000 * others)
+            durations.append(plan.duration)
+            good = error_m <= 0.005 and others <= 0.005 and not execution.contacts and held == (kind == "pick")
+            outcomes["success" if good else "failed"] += 1
+            if not good:
+                failures.append(
+                    {"episode": episode, "target": target.name, "error_mm": 1000 * error_m, "bystanders_mm": 1000 * others,
+                     "contacts": execution.contacts, "held": held}
+                )  # fmt: skip
+        report[kind] = {
+            "episodes": episodes,
+            "outcomes": dict(outcomes),
+            "success_rate": outcomes["success"] / episodes,
+            "errors": dict(reasons),
+            "planning_ms": _summary(1000 * np.array(planning)),
+            "position_error_mm": _summary(np.array(errors)),
+            "orientation_error_rad": _summary(np.array(turned)),
+            "bystander_mm": _summary(np.array(bystanders)),
+            "plan_seconds": _summary(np.array(durations)),
+            "real_time_factor": float(1 / np.median(clock)) if clock else None,
+            "failures": failures,
+        }
+    return report
+
+
+def _any_face(rng: np.random.Generator) -> np.ndarray:
+    quarter = int(rng.integers(4)) * np.pi / 2
+    axis = [(1, 0, 0), (0, 1, 0), (0, 0, 1)][int(rng.integers(3))]
+    return np.asarray(about(axis, quarter))
+
+
+def _goal(scene: Scene, target: Box, rng: np.random.Generator) -> np.ndarray:
+    """A free spot on the table, or one time in three the top of another block."""
+    others = [b for b in scene.boxes if not b.fixed and b.name != target.name and not scene.boxes_above(b.name)]
+    if others and rng.uniform() < 1 / 3:
+        return scene.resting_position(target.name, others[int(rng.integers(len(others)))].position[:2])
+    while True:
+        spot = np.array([rng.uniform(*REACH), rng.uniform(-0.7, 0.7)])
+        distances = [np.linalg.norm(box.position[:2] - spot) for box in scene.boxes if not box.fixed]
+        if min(distances) > 0.09:
+            return scene.resting_position(target.name, spot)
+
+
+def _summary(values: np.ndarray) -> dict[str, float]:
+    if len(values) == 0:
+        return {}
+    return {
+        "median": round(float(np.median(values)), 4),
+        "p95": round(float(np.percentile(values, 95)), 4),
+        "max": round(float(np.max(values)), 4),
+    }
+
+
+def main() -> int:
+    """The command line."""
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--episodes", type=int, default=60)
+    parser.add_argument("--seed", type=int, default=0)
+    arguments = parser.parse_args()
+    json.dump(run(arguments.episodes, arguments.seed), sys.stdout, indent=2)
+    print()
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
