@@ -7,8 +7,8 @@ from collections import Counter
 
 import numpy as np
 
-from motion.collisions import CLEARANCE, CollisionChecker, Near, Rules
-from motion.errors import GraspUnavailable, MotionError, PlanInCollision, UnreachableTarget
+from motion.collisions import CLEARANCE, GRID, CollisionChecker, Near, Rules
+from motion.errors import GraspUnavailable, MotionError, PathNotFound, PlanInCollision, UnreachableTarget
 from motion.grasps import Grasp
 from motion.ik import solve_ik
 from motion.paths import connect, describe, straight
@@ -21,6 +21,8 @@ from motion.state import RobotState
 from motion.timing import KNOT_SPACINGS, Trajectory, check_limits, rest, timed
 
 APPROACH = 0.08
+BRIEF, THOROUGH = 40, 400
+"""Expansions of a search for a path: at first, to see whether another grasp does better, and at last."""
 NEAR_CLEARANCE = 0.0015
 _RESTING = 0.003
 _RELEASE_HEIGHT = 0.001
@@ -41,10 +43,20 @@ class Attempt:
         arm: the arm that moves.
         target: the box it is about, or None.
         rng: source of all chance.
+        expansions: bound of each search for a path whose straight line is not free.
     """
 
-    def __init__(self, scene: Scene, state: RobotState, arm: str, target: str | None, rng: np.random.Generator) -> None:
+    def __init__(
+        self,
+        scene: Scene,
+        state: RobotState,
+        arm: str,
+        target: str | None,
+        rng: np.random.Generator,
+        expansions: int = THOROUGH,
+    ) -> None:
         self.scene, self.state, self.arm, self.target, self.rng = scene, state, arm, target, rng
+        self.expansions = expansions
         self.joints: Array = state.joints(arm)
         self.width = state.widths[arm]
         self.grasp: Grasp | None = None
@@ -75,7 +87,7 @@ class Attempt:
         top = Pose(grasp.tool.position + np.array([0, 0, lift]), grasp.tool.orientation)
         up = self._line(grasp.tool, top, at_grasp, full, rising, "lift")
         self._home_first(empty)
-        there = connect(empty, self.arm, self.joints, back[-1], Rules(), self.rng, "pregrasp")
+        there = self._connect(empty, self.joints, back[-1], Rules(), "pregrasp")
         self._add("pregrasp", there, empty, Rules(), grasp.opening)
         self._add("approach", back[::-1], empty, near, grasp.opening)
         self._pause("close", _CLOSING_TIME, grasp.width - recipe().gripper.squeeze)
@@ -126,8 +138,8 @@ class Attempt:
         back = Pose(release.position - APPROACH * release.rotation[:, 2], release.orientation)
         away = self._line(release, back, at_release, empty, leaving, "retreat")
         rising = Rules(resting=self._touched(full, self.joints))
-        across = connect(full, self.arm, self.joints, down[0], rising, self.rng, "transfer")
-        home = connect(empty, self.arm, away[-1], recipe().home[self.arm], Rules(), self.rng, "home")
+        across = self._connect(full, self.joints, down[0], rising, "transfer")
+        home = self._connect(empty, away[-1], recipe().home[self.arm], Rules(), "home")
         self._add("transfer", across, full, rising, self.width)
         self._add("lower", down, full, lowering, self.width)
         self._pause("open", _OPENING_TIME, opening)
@@ -152,7 +164,7 @@ class Attempt:
             back = Pose(tool.position - APPROACH * tool.rotation[:, 2], tool.orientation)
             away = self._line(tool, back, self.joints, checker, touching, "retreat")
             self._add("retreat", away, checker, touching, self.width)
-        path = connect(checker, self.arm, self.joints, home, Rules(), self.rng, "home")
+        path = self._connect(checker, self.joints, home, Rules(), "home")
         self._add("home", path, checker, Rules(), self.width)
 
     # The whole.
@@ -219,6 +231,11 @@ class Attempt:
             raise _in_collision(phase, near, rules)
         return path
 
+    def _connect(
+        self, checker: CollisionChecker, first: Array, last: Array, rules: Rules, phase: str
+    ) -> list[Array]:
+        return connect(checker, self.arm, first, last, rules, self.rng, phase, self.expansions)
+
     def _touched(self, checker: CollisionChecker, joints: Array) -> frozenset[str]:
         """Names of what the held box touches at `joints`."""
         return checker.around_held(joints, _RESTING)
@@ -228,7 +245,7 @@ class Attempt:
         if np.max(np.abs(self.joints - home)) <= _AT_HOME:
             self._phases.append(self._still("home", 0.0, self.width))
         else:
-            path = connect(checker, self.arm, self.joints, home, Rules(), self.rng, "home")
+            path = self._connect(checker, self.joints, home, Rules(), "home")
             self._add("home", path, checker, Rules(), self.width)
 
     def _add(self, name: str, path: list[Array], checker: CollisionChecker, rules: Rules, width: float) -> None:
@@ -269,10 +286,17 @@ class Failures:
     def __init__(self, target: str) -> None:
         self._target = target
         self._noted: list[MotionError] = []
+        self._pathless: list[Grasp] = []
 
     def note(self, grasp: Grasp | None, error: MotionError) -> None:
         """One attempt failed."""
         self._noted.append(error)
+        if isinstance(error, PathNotFound) and grasp is not None and grasp not in self._pathless:
+            self._pathless.append(grasp)
+
+    def without_path(self) -> list[Grasp]:
+        """The grasps that failed only because no path was found: worth a longer search."""
+        return list(self._pathless)
 
     def summary(self) -> MotionError:
         """The error to raise: of the attempts that came farthest, the most frequent reason."""
@@ -322,10 +346,9 @@ def _in_collision(phase: str, near: Near, rules: Rules) -> PlanInCollision:
 
 
 def _thinned(positions: Array) -> list[Array]:
-    """Samples of a trajectory far enough apart that checking between them is worth it (half of the grid)."""
-    kept = [positions[0]]
-    for sample in positions[1:]:
-        if np.max(np.abs(sample - kept[-1])) >= 0.008:
-            kept.append(sample)
-    kept.append(positions[-1])
-    return kept
+    """Samples of a trajectory, as few as the grid of the collision checks allows."""
+    along = np.concatenate([[0.0], np.cumsum(np.max(np.abs(np.diff(positions, axis=0)), axis=1))])
+    # A sample's own step is smaller than 0.008 rad (4 rad/s over 2 ms), hence the margin.
+    places = np.arange(0.0, along[-1], GRID - 0.002)
+    kept = np.unique(np.append(np.searchsorted(along, places, side="right") - 1, len(positions) - 1))
+    return [positions[k] for k in kept]

@@ -13,11 +13,11 @@ from dataclasses import dataclass, field
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from motion.compiled import scene_model
 from motion.engine import mujoco
 from motion.poses import Array, Pose
-from motion.robot import load_robot
 from motion.scene import Scene
 from motion.state import RobotState
 
@@ -28,6 +28,9 @@ CLEARANCE = 0.005
 
 _RESTING_OVERLAP = 0.003
 _ROBOT, _THINGS = 1, 2
+
+
+Flags = NDArray[np.bool_]
 
 
 class Near(NamedTuple):
@@ -85,14 +88,13 @@ class CollisionChecker:
         self._model = copy.copy(self._indices.model)
         self._model.opt.enableflags = 0
         self._data = mujoco.MjData(self._model)
-        self._arm, self._robot = arm, load_robot()
+        self._arm = arm
         widths = dict(state.widths)
         if width is not None:
             widths[arm] = width
         self._indices.write_boxes(self._data, scene)
         self._indices.write_robot(self._data, RobotState(state.left, state.right, widths, state.held))
         self._held, self._grip = held, grip
-        self._scene = scene
         self._hand = self._indices.hand_geoms[arm].copy()
         robot = self._indices.robot_geoms
         solid = (self._model.geom_contype | self._model.geom_conaffinity) != 0
@@ -110,22 +112,24 @@ class CollisionChecker:
         if held is not None:
             self._mine[self._indices.box_geoms[held]] = True
         self._boxes = ~robot
+        self._tables: dict[Rules, Array] = {}
+        self._site = int(self._model.site(f"{arm}_tool").id)
+        self._held_geom = -1 if held is None else self._indices.box_geoms[held]
+        self._held_body = int(self._model.geom_bodyid[self._held_geom])
+        self._grip_rotation = np.eye(3) if grip is None else grip.rotation
 
     def nearest(self, joints: Array, rules: Rules) -> Near | None:
         """The pair that breaks `rules` most when the arm is at `joints` (7,), or None."""
         self._place(joints)
-        data, indices = self._data, self._indices
-        if data.ncon == 0:
+        if self._data.ncon == 0:
             return None
-        geoms, distances = data.contact.geom, data.contact.dist
-        worst: Near | None = None
-        excess = 0.0
-        for (first, second), distance in zip(geoms, distances, strict=True):
-            allowed = self._allowed(int(first), int(second), rules)
-            if distance < allowed and allowed - distance > excess:
-                excess = allowed - distance
-                worst = Near((indices.bodies[first], indices.bodies[second]), float(distance))
-        return worst
+        geoms, distances = self._data.contact.geom, self._data.contact.dist
+        excess = self._required(rules)[geoms[:, 0], geoms[:, 1]] - distances
+        worst = int(np.argmax(excess))
+        if excess[worst] <= 0:
+            return None
+        first, second = geoms[worst]
+        return Near((self._indices.bodies[first], self._indices.bodies[second]), float(distances[worst]))
 
     def around_held(self, joints: Array, distance: float) -> frozenset[str]:
         """Names of the bodies other than the robot that are within `distance` of the held box at `joints` (7,)."""
@@ -155,33 +159,45 @@ class CollisionChecker:
         return all(self.nearest(first + (second - first) * k / steps, rules) is None for k in _bisected(steps))
 
     def _place(self, joints: Array) -> None:
+        """Moves the arm, and the held box with it, and finds what is near to what."""
         model, data, indices = self._model, self._data, self._indices
         data.qpos[indices.arm_qpos[self._arm]] = joints
-        if self._held is not None and self._grip is not None:
-            pose = self._robot.tool_pose(self._arm, joints) @ self._grip
-            indices.write_box(data, self._held, pose)
         mujoco.mj_kinematics(model, data)
-        mujoco.mj_comPos(model, data)
+        if self._held is not None and self._grip is not None:
+            # Only what collision detection reads is written; the box's free joint would need the kinematics once more.
+            rotation = data.site_xmat[self._site].reshape(3, 3)
+            position = data.site_xpos[self._site] + rotation @ self._grip.position
+            turned = (rotation @ self._grip_rotation).ravel()
+            geom, body = self._held_geom, self._held_body
+            data.xpos[body] = data.xipos[body] = data.geom_xpos[geom] = position
+            data.xmat[body] = data.ximat[body] = data.geom_xmat[geom] = turned
         mujoco.mj_collision(model, data)
 
-    def _allowed(self, first: int, second: int, rules: Rules) -> float:
-        """Least distance that a pair of geoms may have, metres."""
-        if not (self._mine[first] or self._mine[second]):
-            return -np.inf
-        hand = self._hand[first] or self._hand[second]
-        both = self._hand[first] and self._hand[second]
-        if both:
-            return -np.inf if self._held in (self._indices.bodies[first], self._indices.bodies[second]) else 0.0
-        other = second if self._mine[first] else first
-        name = self._indices.bodies[other]
-        if hand and self._boxes[other]:
-            if name in rules.touching:
-                return -np.inf
-            mine = self._indices.bodies[first if other == second else second]
-            if mine == self._held and name in rules.resting:
-                return -_RESTING_OVERLAP
-            return rules.hand_clearance
-        return rules.clearance
+    def _required(self, rules: Rules) -> Array:
+        """(ngeom, ngeom) least distance that each pair of geoms keeps by `rules`, metres."""
+        if rules in self._tables:
+            return self._tables[rules]
+        mine, hand, boxes = self._mine, self._hand, self._boxes
+        held = np.zeros(len(mine), bool)
+        if self._held is not None:
+            held[self._held_geom] = True
+        names = np.array(self._indices.bodies)
+        touching = boxes & np.isin(names, list(rules.touching)) & ~held
+        resting = boxes & np.isin(names, list(rules.resting)) & ~held
+        table = np.full((len(mine), len(mine)), -np.inf)
+        table[mine, :] = table[:, mine] = rules.clearance
+        _both(table, hand, boxes & ~held, rules.hand_clearance)
+        _both(table, hand, hand, 0.0)
+        _both(table, hand, held, -np.inf)
+        _both(table, hand, touching, -np.inf)
+        _both(table, held, resting, -_RESTING_OVERLAP)
+        self._tables[rules] = table
+        return table
+
+
+def _both(table: Array, first: Flags, second: Flags, value: float) -> None:
+    table[np.ix_(first, second)] = value
+    table[np.ix_(second, first)] = value
 
 
 def dense(path: Sequence[Array], grid: float = GRID) -> Iterable[Array]:

@@ -82,7 +82,7 @@ def checked_destination(scene: Scene, name: str, position: ArrayLike, turn: floa
     goal = turned(scene.box(name), point, turn)
     below: Box | None = None
     for other in scene.boxes:
-        if other.name == name or overlap(goal.footprint, other.footprint) <= _TOUCHING:
+        if other.name == name or _apart(goal, other) or overlap(goal.footprint, other.footprint) <= _TOUCHING:
             continue
         if other.top > goal.bottom + HEIGHT_TOLERANCE and other.bottom < goal.top - _TOUCHING:
             raise InvalidGoal(
@@ -106,6 +106,11 @@ def checked_destination(scene: Scene, name: str, position: ArrayLike, turn: floa
             f"at {_at(point)} {name!r} would tip off {below.name!r}: its centre must be at least 5 mm inside the edge", name
         )
     return goal.at(Pose(point - [0, 0, gap], goal.orientation)), below.name
+
+
+def _apart(first: Box, second: Box) -> bool:
+    """Whether the upright boxes around both do not meet, seen from above."""
+    return bool(np.any(np.abs(first.position - second.position)[:2] > (first.half_extents + second.half_extents)[:2]))
 
 
 def _at(point: Array) -> str:

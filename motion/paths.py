@@ -15,13 +15,19 @@ from motion.recipe import recipe
 from motion.robot import load_robot
 
 _STEP = 0.35
-_EXPANSIONS = 400
 _SHORTCUTS = 40
 _LINE_STEP = 0.005
 
 
 def connect(
-    checker: CollisionChecker, arm: str, start: Array, goal: Array, rules: Rules, rng: np.random.Generator, phase: str
+    checker: CollisionChecker,
+    arm: str,
+    start: Array,
+    goal: Array,
+    rules: Rules,
+    rng: np.random.Generator,
+    phase: str,
+    expansions: int,
 ) -> list[Array]:
     """Waypoints from `start` to `goal`, the straight lines between them free by `rules` on the grid.
 
@@ -33,6 +39,7 @@ def connect(
         rules: what may be near to what.
         rng: where samples come from.
         phase: the phase's name, for errors.
+        expansions: how often the sampling planner may grow its trees.
 
     Raises:
         PlanInCollision: the start or the goal itself is in conflict.
@@ -52,10 +59,10 @@ def connect(
     home = recipe().home[arm]
     if checker.free(start, home, rules) and checker.free(home, goal, rules):
         return _shortened(checker, [start, home, goal], rules, rng)
-    path = _rrt_connect(checker, arm, start, goal, rules, rng)
+    path = _rrt_connect(checker, arm, start, goal, rules, rng, expansions)
     if path is None:
         raise PathNotFound(
-            f"no way was found for {phase} of the {arm} arm in {_EXPANSIONS} expansions, although its start and goal are free"
+            f"no way was found for {phase} of the {arm} arm in {expansions} expansions, although its start and goal are free"
         )
     return _shortened(checker, path, rules, rng)
 
@@ -110,12 +117,18 @@ class _Tree:
 
 
 def _rrt_connect(
-    checker: CollisionChecker, arm: str, start: Array, goal: Array, rules: Rules, rng: np.random.Generator
+    checker: CollisionChecker,
+    arm: str,
+    start: Array,
+    goal: Array,
+    rules: Rules,
+    rng: np.random.Generator,
+    expansions: int,
 ) -> list[Array] | None:
     data = load_robot().arm(arm)
     trees = [_Tree(start), _Tree(goal)]
     middle, spread = (start + goal) / 2, np.abs(goal - start) / 2 + 0.6
-    for count in range(_EXPANSIONS):
+    for count in range(expansions):
         # First near the two ends, later anywhere.
         reach = spread * (1 + count / 40)
         sample = np.clip(middle + rng.uniform(-reach, reach), data.lower, data.upper)

@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
-from motion.attempts import Attempt, Failures
+from motion.attempts import BRIEF, THOROUGH, Attempt, Failures
 from motion.errors import MotionError
 from motion.goals import checked_arms, checked_destination, checked_target, heading
-from motion.grasps import grasp_candidates
+from motion.grasps import Grasp, grasp_candidates
 from motion.plans import Plan
 from motion.poses import Array, Pose
 from motion.recipe import recipe
@@ -51,13 +51,16 @@ def plan_pick(
     checked_target(scene, target, start)
     arms = checked_arms(arm, start, target)
     failures = Failures(target)
-    for grasp in grasp_candidates(scene, target, arms):
-        attempt = Attempt(scene, start, grasp.arm, target, rng)
-        try:
-            attempt.take(grasp, lift)
-            return attempt.finished("pick", _raised(scene.box(target), lift))
-        except MotionError as error:
-            failures.note(grasp, error)
+    grasps = grasp_candidates(scene, target, arms)
+    for expansions in (BRIEF, THOROUGH):
+        for grasp in grasps:
+            attempt = Attempt(scene, start, grasp.arm, target, rng, expansions)
+            try:
+                attempt.take(grasp, lift)
+                return attempt.finished("pick", _raised(scene.box(target), lift))
+            except MotionError as error:
+                failures.note(grasp, error)
+        grasps = failures.without_path()
     raise failures.summary()
 
 
@@ -102,21 +105,13 @@ def plan_place(
             except MotionError as error:
                 failures.note(None, error)
         raise failures.summary()
-    for grasp in grasp_candidates(scene, target, arms):
-        taken: Attempt | None = None
-        for goal, support in goals:
-            try:
-                if taken is None:
-                    taken = Attempt(scene, start, grasp.arm, target, rng)
-                    taken.check_put(grasp, goals)
-                    taken.take(grasp, LIFT)
-                attempt = taken.copy()
-                attempt.put(goal, support)
-                return attempt.finished("place", goal.pose)
-            except MotionError as error:
-                failures.note(grasp, error)
-                if not taken or not taken.taken:
-                    break
+    grasps = grasp_candidates(scene, target, arms)
+    for expansions in (BRIEF, THOROUGH):
+        for grasp in grasps:
+            plan = _taken_and_put(Attempt(scene, start, grasp.arm, target, rng, expansions), grasp, goals, failures)
+            if plan is not None:
+                return plan
+        grasps = failures.without_path()
     raise failures.summary()
 
 
@@ -142,6 +137,24 @@ def plan_home(
     attempt = Attempt(scene, start, arm, start.held.get(arm), rng)
     attempt.go_home()
     return attempt.finished("home", None)
+
+
+def _taken_and_put(attempt: Attempt, grasp: Grasp, goals: list[tuple[Box, str]], failures: Failures) -> Plan | None:
+    """A plan that uses this grasp, for the first of the goals that it can serve; None, with the failures noted, otherwise."""
+    try:
+        attempt.check_put(grasp, goals)
+        attempt.take(grasp, LIFT)
+    except MotionError as error:
+        failures.note(grasp, error)
+        return None
+    for goal, support in goals:
+        branch = attempt.copy()
+        try:
+            branch.put(goal, support)
+            return branch.finished("place", goal.pose)
+        except MotionError as error:
+            failures.note(grasp, error)
+    return None
 
 
 def _raised(box: Box, lift: float) -> Pose:

@@ -150,6 +150,7 @@ class Scene:
             if box.name != name
             and not box.fixed
             and abs(box.bottom - below.top) <= 2 * RESTING_GAP
+            and np.all(np.abs(box.position - below.position)[:2] <= (box.half_extents + below.half_extents)[:2])
             and overlap(box.footprint, below.footprint) > 1e-3
         )
 
