@@ -23,7 +23,7 @@ from motion.progress import Progress
 from motion.recipe import Recipe, recipe
 
 ARM_JOINTS = ("s0", "s1", "e0", "e1", "w0", "w1", "w2")
-LAYOUT = 2
+LAYOUT = 3
 """Raised whenever this module writes other files than before."""
 
 

@@ -21,7 +21,6 @@ from motion.scene import Box, Scene
 from motion.state import ARMS, RobotState
 
 BOX_PREFIX = "box/"
-OFFSCREEN = (1920, 1440)
 
 
 class SceneModel:
@@ -157,12 +156,22 @@ def _compiled(keys: tuple[_Key, ...], visuals: bool) -> SceneModel:
 
 def _light(spec: Any) -> None:  # noqa: ANN401
     visual = spec.visual
-    visual.global_.offwidth, visual.global_.offheight = OFFSCREEN
-    visual.headlight.ambient = [0.35, 0.35, 0.35]
-    visual.headlight.diffuse = [0.35, 0.35, 0.35]
-    visual.headlight.specular = [0.1, 0.1, 0.1]
-    spec.worldbody.add_light(pos=[1.5, 1.0, 3.0], dir=[-0.5, -0.35, -1.0], diffuse=[0.5, 0.5, 0.5], castshadow=False)
-    spec.worldbody.add_light(pos=[1.5, -1.5, 3.0], dir=[-0.4, 0.5, -1.0], diffuse=[0.3, 0.3, 0.3], castshadow=False)
+    visual.headlight.ambient = [0.3, 0.3, 0.3]
+    visual.headlight.diffuse = [0.25, 0.25, 0.25]
+    visual.headlight.specular = [0.05, 0.05, 0.05]
+    visual.map.znear = 0.02
+    spec.add_texture(
+        name="sky",
+        type=mujoco.mjtTexture.mjTEXTURE_SKYBOX,
+        builtin=mujoco.mjtBuiltin.mjBUILTIN_GRADIENT,
+        rgb1=[0.93, 0.95, 0.97],
+        rgb2=[0.72, 0.77, 0.82],
+        width=64,
+        height=384,
+    )
+    lamp = {"type": mujoco.mjtLightType.mjLIGHT_DIRECTIONAL, "specular": [0.05, 0.05, 0.05], "ambient": [0.0, 0.0, 0.0]}
+    spec.worldbody.add_light(pos=[1.5, 1.0, 3.0], dir=[-0.5, -0.35, -1.0], diffuse=[0.4, 0.4, 0.4], **lamp)
+    spec.worldbody.add_light(pos=[1.5, -1.5, 3.0], dir=[-0.4, 0.5, -1.0], diffuse=[0.15, 0.15, 0.15], castshadow=0, **lamp)
 
 
 def _addresses(model: Any, names: Iterable[str], field: str) -> Array:  # noqa: ANN401

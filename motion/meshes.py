@@ -34,5 +34,5 @@ def write_visual(source: Path, target: Path, keep: float) -> None:
     vertices, faces = np.asarray(mesh.vertices, np.float32), np.asarray(mesh.faces, np.int32)
     aim = max(int(len(faces) * keep), 400)
     if aim < len(faces):
-        vertices, faces = fast_simplification.simplify(vertices, faces, target_reduction=1 - aim / len(faces))
+        vertices, faces = fast_simplification.simplify(vertices, faces, target_reduction=1 - aim / len(faces), agg=3)
     type(mesh)(vertices, faces, process=False).export(target, file_type="stl")

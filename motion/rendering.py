@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 import os
 from collections.abc import Iterable
 from dataclasses import dataclass
@@ -12,7 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from motion.compiled import OFFSCREEN, scene_model
+from motion.compiled import scene_model
 from motion.engine import mujoco
 from motion.errors import MotionError, RenderingUnavailable, UnknownBody
 from motion.poses import Array, frozen, matrix
@@ -23,6 +24,7 @@ from motion.state import RobotState
 _BACKENDS = ("egl", "osmesa")
 _HELP = "install one of the Debian packages libegl1 or libosmesa6 (apt install libegl1), or set MUJOCO_GL to what you have"
 _FIELD_OF_VIEW = 45.0
+_LARGEST = (3840, 2160)
 
 
 @dataclass(frozen=True, eq=False)
@@ -57,7 +59,7 @@ class Camera:
 CAMERAS = MappingProxyType(
     {
         "front": Camera(frozen([2.35, 0.0, 1.75]), frozen([0.45, 0.0, 0.82])),
-        "robot": Camera(frozen([-0.05, 0.0, 1.85]), frozen([0.68, 0.0, 0.72]), 60.0),
+        "robot": Camera(frozen([0.30, 0.0, 1.68]), frozen([0.68, 0.0, 0.72]), 80.0),
         "top": Camera(frozen([0.62, 0.0, 2.6]), frozen([0.62, 0.0, 0.7])),
         "side": Camera(frozen([0.75, -2.3, 1.45]), frozen([0.5, 0.0, 0.85])),
     }
@@ -136,12 +138,14 @@ class Renderer:
     """
 
     def __init__(self, scene: Scene, width: int = 960, height: int = 720, shadows: bool = False) -> None:
-        if not (0 < width <= OFFSCREEN[0] and 0 < height <= OFFSCREEN[1]):
-            raise MotionError(f"pictures have 1 to {OFFSCREEN[0]} by {OFFSCREEN[1]} pixels, not {width} by {height}")
+        if not (0 < width <= _LARGEST[0] and 0 < height <= _LARGEST[1]):
+            raise MotionError(f"pictures have 1 to {_LARGEST[0]} by {_LARGEST[1]} pixels, not {width} by {height}")
         self.width, self.height = width, height
         self._scene = scene
         self._indices = scene_model(scene, visuals=True)
-        self._model: Any = self._indices.model
+        self._model: Any = copy.copy(self._indices.model)
+        self._model.vis.global_.offwidth, self._model.vis.global_.offheight = width, height
+        self._model.vis.quality.shadowsize = 2048 if shadows else 0
         self._data: Any = mujoco.MjData(self._model)
         self._gl: Any = None
         self._context: Any = None
