@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from grounding.language.forest import Edge, Node
-from grounding.language.grammar import Symbol
+from grounding.language.probabilities import Symbol
 from grounding.language.rules import Rules
 from grounding.language.tree import Word
 
@@ -98,7 +98,9 @@ def _fill(rules: Rules, sentence: Sequence[Sequence[Lexeme]], beam: Beam) -> lis
     for end in range(1, size + 1):
         leftwards: list[tuple[int, Table]] = []
         for start in range(end - 1, max(-1, end - 1 - beam.span), -1):
-            whole, right, left = complete[start][end], {}, {}
+            whole = complete[start][end]
+            right: Table = {}
+            left: Table = {}
             if end - start == 1:
                 for reading in sentence[start]:
                     symbol = rules.symbol(Symbol(reading.word.tag, reading.label))

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import NamedTuple
 
+from grounding.language.classes import word_class
 from grounding.language.heads import head_index, refined_tag
 from grounding.language.tags import TagModel
 from grounding.language.tree import Phrase, Word
@@ -38,8 +39,17 @@ class Head(NamedTuple):
 
 
 def label_of(word: str, tag: str, words: TagModel) -> str:
-    """The label of a word with a tag: "NN:block", or "NN:" for rare words."""
-    return f"{tag}:" if words.is_rare(word, tag) else f"{tag}:{word}"
+    """The label of a word with a tag: "NN:block"; for a rare word its class, "NN:~Container", or "NN:" without one."""
+    if not words.is_rare(word, tag):
+        return f"{tag}:{word}"
+    name = word_class(word)
+    return f"{tag}:~{name}" if name else f"{tag}:"
+
+
+def label_class(label: str) -> str:
+    """The tag and the class of a label's word: "NN:*ObjectType"."""
+    tag, _, word = label.partition(":")
+    return f"{tag}:*{word[1:] if word.startswith('~') else word_class(word)}"
 
 
 def join_label(label: str, object_label: str) -> str:

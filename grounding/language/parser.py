@@ -11,6 +11,7 @@ from typing import Any
 import models
 from grounding.errors import LanguageError
 from grounding.language.cky import FRAGMENT, Beam, Cover, Lexeme, parse_forest
+from grounding.language.events import label_of
 from grounding.language.forest import Node
 from grounding.language.grammar import Grammar
 from grounding.language.rules import Rules
@@ -65,6 +66,7 @@ class Parser:
         self._beam = beam or Beam()
         self._cover = cover or Cover()
         self._rules = Rules(grammar)
+        self._choices: dict[str, tuple[tuple[str, str, float], ...]] = {}
 
     @classmethod
     def load(cls, path: Path = models.GRAMMAR) -> Parser:
@@ -108,15 +110,24 @@ class Parser:
         return tuple(Parse(tree, score, exp(score - trees[0][1]) / total, unknown, whole) for tree, score in trees)
 
     def _readings(self, word: str, index: int) -> list[Lexeme]:
+        choices = self._choices.get(word)
+        if choices is None:
+            choices = self._choices_of(word)
+            if self.grammar.words.is_known(word):
+                self._choices[word] = choices
+        return [Lexeme(Word(word, tag, index), label, chance) for tag, label, chance in choices]
+
+    def _choices_of(self, word: str) -> tuple[tuple[str, str, float], ...]:
+        """The tags worth trying for a word: tag, label and log P(word | tag, label)."""
         model = self.grammar.words
         chances = model.log_probabilities(word)
         limit = max(chances.values()) - _TAG_BEAM
-        readings = []
+        choices = []
         for tag, chance in chances.items():
             if chance >= limit:
                 emission = model.log_emission(word, tag, chance) if model.is_rare(word, tag) else 0.0
-                readings.append(Lexeme(Word(word, tag, index), self.grammar.label(word, tag), emission))
-        return readings
+                choices.append((tag, label_of(word, tag, model), emission))
+        return tuple(choices)
 
 
 def split_sentences(tokens: Sequence[Token]) -> tuple[tuple[Token, ...], ...]:

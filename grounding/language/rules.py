@@ -10,8 +10,9 @@ from math import log
 from typing import NamedTuple
 
 from grounding.language.events import ROOT, join_label, split_label
-from grounding.language.grammar import Grammar, State, Symbol, awaits_object
+from grounding.language.grammar import Grammar
 from grounding.language.heads import plain_tag
+from grounding.language.probabilities import Probabilities, State, Symbol, awaits_object
 
 Step = tuple[int, float]
 """A state or symbol by number, and the log probability of getting there."""
@@ -42,6 +43,7 @@ class Rules:
 
     def __init__(self, grammar: Grammar) -> None:
         self.grammar = grammar
+        self._probabilities = Probabilities(grammar)
         self.symbols: list[Symbol] = []
         self.states: list[State] = []
         self.symbol_rank: list[float] = []
@@ -69,7 +71,7 @@ class Rules:
             number = self._symbol_numbers[symbol] = len(self.symbols)
             self.symbols.append(symbol)
             self.plain_tags.append(plain_tag(symbol.tag))
-            self.symbol_rank.append(log(self.grammar.share(symbol)))
+            self.symbol_rank.append(log(self._probabilities.share(symbol)))
             self.depth.append(self._depths.get(symbol.tag, 0))
         return number
 
@@ -83,7 +85,7 @@ class Rules:
     def take(self, state: int, symbol: int) -> Step | None:
         """The state after one more child, or None where the grammar has no such child there; kept in `takes`."""
         before, child = self.states[state], self.symbols[symbol]
-        chance = self.grammar.child_probability(before, child)
+        chance = self._probabilities.child_probability(before, child)
         told = child.label if awaits_object(before, child.tag) else before.object
         after = before._replace(previous=child.tag, bare=False, object=told)
         step = (self._state(after), log(chance)) if chance else None
@@ -100,7 +102,7 @@ class Rules:
     def top(self, symbol: int) -> float | None:
         """Log probability of a whole sentence being this symbol; None where it cannot be."""
         if symbol not in self._tops:
-            chance = self.grammar.child_probability(self._root, self.symbols[symbol])
+            chance = self._probabilities.child_probability(self._root, self.symbols[symbol])
             self._tops[symbol] = log(chance) if chance else None
         return self._tops[symbol]
 
@@ -109,7 +111,7 @@ class Rules:
         if number is None:
             number = self._state_numbers[state] = len(self.states)
             self.states.append(state)
-            self.state_rank.append(log(self.grammar.share(Symbol(state.tag, state.label))))
+            self.state_rank.append(log(self._probabilities.share(Symbol(state.tag, state.label))))
             self.takes.append({})
         return number
 
@@ -117,14 +119,14 @@ class Rules:
         steps = []
         is_phrase = head.tag in self.grammar.phrase_tags
         for tag in self.grammar.mothers.get(head.tag, ()):
-            chance = self.grammar.head_probability(tag, split_label(head.label)[0], head.tag)
+            chance = self._probabilities.head_probability(tag, split_label(head.label)[0], head.tag)
             if chance:
                 state = self._state(State.start(tag, head, is_phrase))
                 steps.append(Start(state, log(chance), (tag, "R") in self.grammar.sides))
         return steps
 
     def _find_close(self, state: State) -> Close:
-        chance = self.grammar.stop_probability(state)
+        chance = self._probabilities.stop_probability(state)
         if not chance:
             return Close(None, None, frozenset())
         whole = not state.bare or (state.tag, state.head) in self.grammar.chains
@@ -133,7 +135,7 @@ class Rules:
             return Close((symbol, log(chance)) if whole else None, None, frozenset())
         after = state._replace(side="L", previous="^" + state.head)
         wanted = self.grammar.sides.get((state.tag, "L"), frozenset())
-        final = self.grammar.stop_probability(after)
+        final = self._probabilities.stop_probability(after)
         return Close(
             (symbol, log(chance * final)) if whole and final else None,
             (self._state(after), log(chance)) if wanted else None,

@@ -126,8 +126,9 @@ class TagModel:
 
     def _by_shape(self, word: str) -> dict[str, float]:
         """P(tag) of a word never seen, from its shape and its ending."""
-        total = sum(self.rare_mass.values())
-        share = {tag: mass / total for tag, mass in self.rare_mass.items()}
+        open_mass = {tag: mass for tag, mass in self.rare_mass.items() if tag in _OPEN_CLASSES} or self.rare_mass
+        total = sum(open_mass.values())
+        share = {tag: mass / total for tag, mass in open_mass.items()}
         for length in range(1, _LONGEST_ENDING + 1):
             row = self._endings.get(word[-length:]) if len(word) > length else None
             if row is not None:
