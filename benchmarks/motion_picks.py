@@ -2,8 +2,8 @@
 
     python benchmarks/motion_picks.py --episodes 100 --seed 0
 
-Every third world has blocks turned onto other faces, every fourth a tower. A block "within reach" is one over the part of the
-table that either arm reaches from above; goals of places are free spots of that part, or tops of other blocks.
+Every third world has blocks turned onto other faces, every fourth a tower. A block "within reach" is one over the part
+of the table that either arm reaches from above; goals of places are free spots of that part, or tops of other blocks.
 """
 
 from __future__ import annotations
@@ -82,7 +82,8 @@ def run(episodes: int, seed: int) -> dict[str, Any]:
             assert plan.goal is not None
             error_m, error_rad = poses[target.name].distance(plan.goal)
             others = max(
-                (poses[b.name].distance(b.pose)[0] for b in scene.boxes if b.name != target.name and not b.fixed), default=0.0
+                (poses[b.name].distance(b.pose)[0] for b in scene.boxes if b.name != target.name and not b.fixed),
+                default=0.0,
             )
             errors.append(1000 * error_m)
             turned.append(error_rad)
@@ -92,8 +93,8 @@ def run(episodes: int, seed: int) -> dict[str, Any]:
             outcomes["success" if good else "failed"] += 1
             if not good:
                 failures.append(
-                    {"episode": episode, "target": target.name, "error_mm": 1000 * error_m, "bystanders_mm": 1000 * others,
-                     "contacts": execution.contacts, "held": held}
+                    {"episode": episode, "target": target.name, "error_mm": 1000 * error_m, "bystanders_mm": 1000 *
+                     others, "contacts": execution.contacts, "held": held}
                 )  # fmt: skip
         report[kind] = {
             "episodes": episodes,

@@ -1,7 +1,7 @@
 """Metric goals become verified, timed plans, and plans become physics.
 
-Motion knows plain names, poses and sizes; what a block *means* is none of its business. World frame: origin on the floor under
-Baxter's base, x away from the robot, y to its left, z up; metres, radians, quaternions (w, x, y, z).
+Motion knows plain names, poses and sizes; what a block *means* is none of its business. World frame: origin on the
+floor under Baxter's base, x away from the robot, y to its left, z up; metres, radians, quaternions (w, x, y, z).
 
     import numpy as np
     from motion import Box, Scene, Simulator, plan_pick, plan_place
@@ -17,20 +17,22 @@ Baxter's base, x away from the robot, y to its left, z up; metres, radians, quat
 What there is:
 
 - Values: `Box(name, position, orientation, size, color, mass, fixed)`, `Scene(boxes)` with `box(name)`, `moved(poses)`,
-  `boxes_above(name)`, `resting_position(name, xy)`; `Pose(position, orientation)`; `RobotState(left, right, widths, held)`,
-  `RobotState.home()`.
+  `boxes_above(name)`, `resting_position(name, xy)`; `Pose(position, orientation)`; `RobotState(left, right, widths,
+  held)`, `RobotState.home()`.
 - `plan_pick(scene, target, *, arm, start, rng, lift)`, `plan_place(scene, target, position, *, yaw, arm, start, rng)`,
-  `plan_home(scene, *, arm, start, rng)`: each a `Plan(kind, arm, target, phases, grasp, goal, start, end)`, verified as a whole
-  before it is returned. A `Phase` has `name`, `trajectory` (`Trajectory(period, positions, velocities, accelerations)`),
-  `gripper` (commanded width at its end, metres) and `duration`. Phases of a pick: home, pregrasp, approach, close, lift, hold;
-  of a place: home, pregrasp, approach, close, lift, transfer, lower, open, retreat, home. The `start` of a plan is where the
-  robot is (default: home); a block already held (`start.held`) is placed without picking it again.
+  `plan_home(scene, *, arm, start, rng)`: each a `Plan(kind, arm, target, phases, grasp, goal, start, end)`, verified
+  as a whole before it is returned. A `Phase` has `name`, `trajectory` (`Trajectory(period, positions, velocities,
+  accelerations)`), `gripper` (commanded width at its end, metres) and `duration`. Phases of a pick: home, pregrasp,
+  approach, close, lift, hold; of a place: home, pregrasp, approach, close, lift, transfer, lower, open, retreat, home.
+  The `start` of a plan is where the robot is (default: home); a block already held (`start.held`) is placed without
+  picking it again.
 - `Simulator(scene, state=None)`: `execute(plan, on_step=None) -> Execution`, `hold(seconds, on_step=None)`,
   `settle(seconds=2.0)`, `poses()`, `scene()` (as it is now, for the next plan), `state()` (a `RobotState`, ditto),
   `gripper_width(arm)`, `holding(arm)`, `contacts()`, `tracking_error(arm)`, `time`.
 - `Renderer(scene, width, height)`: `render(simulator=None, camera="front", markers=())` gives (height, width, 3) uint8;
-  `project(points, camera)` gives pixels for labels; cameras "front", "robot", "top", "side"; `Marker(position, size, color,
-  shape)`. Both Simulator and Renderer are context managers. `rendering_available()` says whether OpenGL can be started.
+  `project(points, camera)` gives pixels for labels; cameras "front", "robot", "top", "side"; `Marker(position, size,
+  color, shape)`. Both Simulator and Renderer are context managers. `rendering_available()` says whether OpenGL can be
+  started.
 - `solve_ik`, `grasp_candidates`, `load_robot`: the steps by themselves.
 - Errors: all below `MotionError`; see `motion/errors.py`.
 """

@@ -1,4 +1,4 @@
-"""One attempt at a plan: phases are added one by one, each free of contact where none is meant, and then verified as a whole."""
+"""One attempt at a plan: phases are added one by one, each timed and verified, free of contact where none is meant."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from collections import Counter
 import numpy as np
 
 from motion.collisions import CLEARANCE, GRID, CollisionChecker, Near, Rules
-from motion.errors import GraspUnavailable, MotionError, PathNotFound, PlanInCollision, UnreachableTarget
+from motion.errors import MotionError, PlanInCollision, UnreachableTarget
 from motion.grasps import Grasp
 from motion.ik import solve_ik
 from motion.paths import connect, describe, straight
@@ -122,7 +122,8 @@ class Attempt:
 
     def put(self, goal: Box, support: str) -> None:
         """Adds the phases from the held box to the box at its destination and the arm at home."""
-        assert self.grip is not None and self.target is not None
+        assert self.grip is not None
+        assert self.target is not None
         held_width = self._held_width()
         tool = goal.pose @ self.grip.inverse()
         release = Pose(tool.position + np.array([0, 0, _RELEASE_HEIGHT]), tool.orientation)
@@ -231,9 +232,7 @@ class Attempt:
             raise _in_collision(phase, near, rules)
         return path
 
-    def _connect(
-        self, checker: CollisionChecker, first: Array, last: Array, rules: Rules, phase: str
-    ) -> list[Array]:
+    def _connect(self, checker: CollisionChecker, first: Array, last: Array, rules: Rules, phase: str) -> list[Array]:
         return connect(checker, self.arm, first, last, rules, self.rng, phase, self.expansions)
 
     def _touched(self, checker: CollisionChecker, joints: Array) -> frozenset[str]:
@@ -278,61 +277,6 @@ class Attempt:
         if self.grasp is not None:
             return self.grasp.width
         return self.state.widths[self.arm]
-
-
-class Failures:
-    """Why the attempts at a target failed, and the one error that tells it best."""
-
-    def __init__(self, target: str) -> None:
-        self._target = target
-        self._noted: list[MotionError] = []
-        self._pathless: list[Grasp] = []
-
-    def note(self, grasp: Grasp | None, error: MotionError) -> None:
-        """One attempt failed."""
-        self._noted.append(error)
-        if isinstance(error, PathNotFound) and grasp is not None and grasp not in self._pathless:
-            self._pathless.append(grasp)
-
-    def without_path(self) -> list[Grasp]:
-        """The grasps that failed only because no path was found: worth a longer search."""
-        return list(self._pathless)
-
-    def summary(self) -> MotionError:
-        """The error to raise: of the attempts that came farthest, the most frequent reason."""
-        unreachable = [error for error in self._noted if isinstance(error, UnreachableTarget)]
-        others = [error for error in self._noted if not isinstance(error, UnreachableTarget)]
-        count = len(self._noted)
-        if others:
-            kinds = Counter(type(error) for error in others)
-            kind = kinds.most_common(1)[0][0]
-            example = next(error for error in others if type(error) is kind)
-            if isinstance(example, PlanInCollision):
-                return PlanInCollision(
-                    f"none of the {count} grasps of {self._target!r} has a free way; for example {example}",
-                    example.phase,
-                    example.bodies,
-                    example.clearance,
-                )
-            example.add_note(f"this is the most frequent of {count} failed grasps of {self._target!r}")
-            return example
-        collisions = [error for error in unreachable if error.reason == "collision" and error.bodies]
-        if collisions:
-            bodies = Counter(error.bodies for error in collisions).most_common(1)[0][0]
-            return GraspUnavailable(
-                f"every grasp of {self._target!r} that an arm reaches is obstructed, mostly {bodies[0]} by {bodies[1]}; "
-                f"what stands in the way must be moved first",
-                self._target,
-                bodies,
-            )
-        limited = [error for error in unreachable if error.reason == "joint limit"]
-        chosen = (limited or unreachable)[0]
-        return UnreachableTarget(
-            f"{self._target!r} cannot be reached by any of {count} grasps; for example {chosen}",
-            chosen.reason,
-            chosen.joints,
-            chosen.bodies,
-        )
 
 
 def _in_collision(phase: str, near: Near, rules: Rules) -> PlanInCollision:

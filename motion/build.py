@@ -1,8 +1,9 @@
 """Builds the robot's files, and from them MuJoCo's description of it.
 
-The files are one URDF, which Pinocchio and MuJoCo both read (MuJoCo's own XML keeps six digits, too few for both kinematics to
-agree), the meshes as binary STL, and each arm alone as a compiled model. The MuJoCo description adds what URDF cannot say:
-actuators, gravity compensation, the tendon that drives both fingers, the pairs of links that may touch, the tool frames.
+The files are one URDF, which Pinocchio and MuJoCo both read (MuJoCo's own XML keeps six digits, too few for both
+kinematics to agree), the meshes as binary STL, and each arm alone as a compiled model. The MuJoCo description adds
+what URDF cannot say: actuators, gravity compensation, the tendon that drives both fingers, the pairs of links that may
+touch, the tool frames.
 """
 
 from __future__ import annotations
@@ -76,7 +77,7 @@ def _mesh_files(urdf: ET.Element) -> tuple[dict[str, str], dict[str, str]]:
     return found
 
 
-def robot_spec(folder: Path, settings: Recipe, visuals: bool) -> Any:  # noqa: ANN401
+def robot_spec(folder: Path, settings: Recipe, visuals: bool) -> Any:
     """The robot as an MjSpec, to which a scene can be added.
 
     Args:
@@ -108,8 +109,9 @@ def robot_spec(folder: Path, settings: Recipe, visuals: bool) -> Any:  # noqa: A
     for geom in spec.geoms:
         geom.group = 2 if geom.contype == 0 and geom.conaffinity == 0 else 3
         if geom.group == 3 and "finger" in geom.parent.name:
-            # MuJoCo's friction is blind to the acceleration of a turning hand; a held box creeps by that acceleration divided
-            # by the contact's damping. The stiffest contact that the time step allows keeps this below a millimetre.
+            # MuJoCo's friction is blind to the acceleration of a turning hand; a held box creeps by that acceleration
+            # divided by the contact's damping. The stiffest contact that the time step allows keeps this below a
+            # millimetre.
             geom.priority = 1
             geom.friction = settings.contact["finger_friction"]
             geom.solref[:] = settings.contact["finger_solref"]
@@ -117,7 +119,7 @@ def robot_spec(folder: Path, settings: Recipe, visuals: bool) -> Any:  # noqa: A
     return spec
 
 
-def _joints(spec: Any, settings: Recipe) -> None:  # noqa: ANN401
+def _joints(spec: Any, settings: Recipe) -> None:
     gains = settings.actuators
     for arm in ("left", "right"):
         for i, short in enumerate(ARM_JOINTS):
@@ -133,7 +135,7 @@ def _joints(spec: Any, settings: Recipe) -> None:  # noqa: ANN401
     _position_actuator(spec, "head_pan", gains["head"]["kp"], gains["head"]["kv"], 50.0)
 
 
-def _position_actuator(spec: Any, name: str, kp: float, kv: float, force: float, tendon: bool = False) -> None:  # noqa: ANN401
+def _position_actuator(spec: Any, name: str, kp: float, kv: float, force: float, tendon: bool = False) -> None:
     actuator = spec.add_actuator(
         name=name,
         target=name,
@@ -147,7 +149,7 @@ def _position_actuator(spec: Any, name: str, kp: float, kv: float, force: float,
     actuator.biasprm[:3] = [0, -kp, -kv]
 
 
-def _gripper(spec: Any, arm: str, settings: Recipe) -> None:  # noqa: ANN401
+def _gripper(spec: Any, arm: str, settings: Recipe) -> None:
     """One tendon, half the opening beyond the closed width, drives both fingers; an equality keeps them symmetric."""
     data = settings.gripper
     fingers = [f"{arm[0]}_gripper_{side}_finger_joint" for side in ("l", "r")]
@@ -169,7 +171,7 @@ def _gripper(spec: Any, arm: str, settings: Recipe) -> None:  # noqa: ANN401
     equality.solimp[:] = data.equality_solimp
 
 
-def _arm_model(folder: Path, settings: Recipe, arm: str) -> Any:  # noqa: ANN401
+def _arm_model(folder: Path, settings: Recipe, arm: str) -> Any:
     """One arm and nothing else: seven joints and the tool frame, for inverse kinematics."""
     spec = robot_spec(folder, settings, visuals=False)
     wanted = {f"{arm}_{short}" for short in ARM_JOINTS}

@@ -1,13 +1,14 @@
 """Contact checks of whole configurations: both arms, the boxes, and what the hand holds as part of the robot.
 
-MuJoCo's collision detection on a copy of the scene's model whose robot has a margin, so that whatever comes nearer than the
-margin is listed with its distance. Pairs that the robot's SRDF disables are left out, and boxes are not checked against one
-another, unless one of them is held.
+MuJoCo's collision detection on a copy of the scene's model whose robot has a margin, so that whatever comes nearer
+than the margin is listed with its distance. Pairs that the robot's SRDF disables are left out, and boxes are not
+checked against one another, unless one of them is held.
 """
 
 from __future__ import annotations
 
 import copy
+import itertools
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from typing import NamedTuple
@@ -146,7 +147,7 @@ class CollisionChecker:
         return frozenset(found)
 
     def first_conflict(self, path: Sequence[Array], rules: Rules) -> Near | None:
-        """The first conflict along straight lines in joint space through `path`, on the grid; None when there is none."""
+        """The first conflict along straight lines in joint space through `path`, on the grid, or None."""
         for joints in dense(path):
             near = self.nearest(joints, rules)
             if near is not None:
@@ -154,7 +155,7 @@ class CollisionChecker:
         return None
 
     def free(self, first: Array, second: Array, rules: Rules) -> bool:
-        """Whether the straight line between two configurations is free, checked in halves so that conflicts show early."""
+        """Whether the line between two configurations is free; checked in halves, so that conflicts show early."""
         steps = max(1, int(np.ceil(np.max(np.abs(second - first)) / GRID)))
         return all(self.nearest(first + (second - first) * k / steps, rules) is None for k in _bisected(steps))
 
@@ -204,7 +205,7 @@ def dense(path: Sequence[Array], grid: float = GRID) -> Iterable[Array]:
     """Configurations along straight lines through `path`, no joint moving by more than `grid` between two."""
     if len(path):
         yield path[0]
-    for first, second in zip(path[:-1], path[1:], strict=True):
+    for first, second in itertools.pairwise(path):
         steps = max(1, int(np.ceil(np.max(np.abs(second - first)) / grid)))
         for k in range(1, steps + 1):
             yield first + (second - first) * (k / steps)

@@ -1,7 +1,7 @@
 """A scene as MuJoCo models: with exact shapes for physics, and with decimated visual meshes for pictures.
 
-Models depend only on what cannot move (names, sizes, colours, masses, fixed poses), so that scenes which differ by where
-their loose boxes are share one. Treat them as read-only; whoever changes one copies it first.
+Models depend only on what cannot move (names, sizes, colours, masses, fixed poses), so that scenes which differ by
+where their loose boxes are share one. Treat them as read-only; whoever changes one copies it first.
 """
 
 from __future__ import annotations
@@ -41,7 +41,7 @@ class SceneModel:
         hand_geoms: (ngeom,) True for the geoms of an arm's gripper, by arm.
     """
 
-    def __init__(self, model: Any, boxes: Iterable[Box]) -> None:  # noqa: ANN401
+    def __init__(self, model: Any, boxes: Iterable[Box]) -> None:
         self.model = model
         self.box_geoms: dict[str, int] = {}
         self.box_qpos: dict[str, int] = {}
@@ -68,19 +68,19 @@ class SceneModel:
             for arm in ARMS
         }
 
-    def write_boxes(self, data: Any, scene: Scene) -> None:  # noqa: ANN401
+    def write_boxes(self, data: Any, scene: Scene) -> None:
         """Puts the loose boxes of `scene` into `data.qpos`."""
         for box in scene.boxes:
             if not box.fixed:
                 self.write_box(data, box.name, box.pose)
 
-    def write_box(self, data: Any, name: str, pose: Pose) -> None:  # noqa: ANN401
+    def write_box(self, data: Any, name: str, pose: Pose) -> None:
         """Puts one loose box into `data.qpos`."""
         start = self.box_qpos[name]
         data.qpos[start : start + 3] = pose.position
         data.qpos[start + 3 : start + 7] = pose.orientation
 
-    def write_robot(self, data: Any, state: RobotState) -> None:  # noqa: ANN401
+    def write_robot(self, data: Any, state: RobotState) -> None:
         """Puts joints and fingers of `state` into `data.qpos`."""
         closed = recipe().gripper.closed
         for arm in ARMS:
@@ -88,7 +88,7 @@ class SceneModel:
             half = np.clip((state.widths[arm] - closed) / 2, 0, None)
             data.qpos[self.finger_qpos[arm]] = half, -half
 
-    def read_box(self, data: Any, name: str) -> Pose:  # noqa: ANN401
+    def read_box(self, data: Any, name: str) -> Pose:
         """Pose of a loose box from `data.qpos`."""
         start = self.box_qpos[name]
         return Pose(data.qpos[start : start + 3], data.qpos[start + 3 : start + 7])
@@ -154,7 +154,7 @@ def _compiled(keys: tuple[_Key, ...], visuals: bool) -> SceneModel:
     return SceneModel(spec.compile(), boxes)
 
 
-def _light(spec: Any) -> None:  # noqa: ANN401
+def _light(spec: Any) -> None:
     visual = spec.visual
     visual.headlight.ambient = [0.3, 0.3, 0.3]
     visual.headlight.diffuse = [0.25, 0.25, 0.25]
@@ -171,10 +171,12 @@ def _light(spec: Any) -> None:  # noqa: ANN401
     )
     lamp = {"type": mujoco.mjtLightType.mjLIGHT_DIRECTIONAL, "specular": [0.05, 0.05, 0.05], "ambient": [0.0, 0.0, 0.0]}
     spec.worldbody.add_light(pos=[1.5, 1.0, 3.0], dir=[-0.5, -0.35, -1.0], diffuse=[0.4, 0.4, 0.4], **lamp)
-    spec.worldbody.add_light(pos=[1.5, -1.5, 3.0], dir=[-0.4, 0.5, -1.0], diffuse=[0.15, 0.15, 0.15], castshadow=0, **lamp)
+    spec.worldbody.add_light(
+        pos=[1.5, -1.5, 3.0], dir=[-0.4, 0.5, -1.0], diffuse=[0.15, 0.15, 0.15], castshadow=0, **lamp
+    )
 
 
-def _addresses(model: Any, names: Iterable[str], field: str) -> Array:  # noqa: ANN401
+def _addresses(model: Any, names: Iterable[str], field: str) -> Array:
     return np.array([int(getattr(model.joint(name), field)[0]) for name in names])
 
 

@@ -1,8 +1,8 @@
 """Baxter's URDF as example-robot-data ships it, and the overlay that makes it simulable.
 
-The overlay is made on the URDF itself, before Pinocchio or MuJoCo see it, so that both read the same robot: it stands on the
-floor, both hands have paddle fingers, the fingers have inertias that a finger can have and no mimic joint, and the 1 mm
-spheres that stand for "no collision shape" are gone.
+The overlay is made on the URDF itself, before Pinocchio or MuJoCo see it, so that both read the same robot: it stands
+on the floor, both hands have paddle fingers, the fingers have inertias that a finger can have and no mimic joint, and
+the 1 mm spheres that stand for "no collision shape" are gone.
 """
 
 from __future__ import annotations

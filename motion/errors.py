@@ -1,4 +1,4 @@
-"""Everything that motion refuses, as one family: each message names what was wrong, the value, and what would be right."""
+"""Everything that motion refuses: each message names what was wrong, the value, and what would be right."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ class UnknownBody(MotionError):
 
 
 class InvalidGoal(MotionError):
-    """A goal that no motion could meet: not finite, too wide for the gripper, occupied, off the table, under another box.
+    """A goal that no motion could meet: not finite, too wide to grasp, occupied, off the table, under another box.
 
     Attributes:
         target: the name of the box the goal is about, or None.

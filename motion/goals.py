@@ -1,4 +1,4 @@
-"""Whether a goal makes sense before anything is planned for it: known, loose, uncovered; a destination free and supported."""
+"""Whether a goal makes sense before anything is planned: known, loose, uncovered; a destination free and supported."""
 
 from __future__ import annotations
 
@@ -28,7 +28,9 @@ def checked_target(scene: Scene, name: str, state: RobotState) -> Box:
         raise InvalidGoal(f"{name!r} is fixed and cannot be picked; only loose boxes can", name)
     above = [other.name for other in scene.boxes_above(name) if other.name not in state.held.values()]
     if above:
-        raise InvalidGoal(f"{name!r} is under {', '.join(map(repr, above))}; what stands on it must be moved first", name)
+        raise InvalidGoal(
+            f"{name!r} is under {', '.join(map(repr, above))}; what stands on it must be moved first", name
+        )
     return box
 
 
@@ -78,7 +80,9 @@ def checked_destination(scene: Scene, name: str, position: ArrayLike, turn: floa
     """
     point = np.asarray(position, dtype=np.float64)
     if point.shape != (3,) or not np.all(np.isfinite(point)) or not np.isfinite(turn):
-        raise InvalidGoal(f"a destination is three finite numbers and a finite yaw, not {point.tolist()} and {turn}", name)
+        raise InvalidGoal(
+            f"a destination is three finite numbers and a finite yaw, not {point.tolist()} and {turn}", name
+        )
     goal = turned(scene.box(name), point, turn)
     below: Box | None = None
     for other in scene.boxes:
@@ -103,7 +107,8 @@ def checked_destination(scene: Scene, name: str, position: ArrayLike, turn: floa
         )
     if not contains(below.footprint, point[:2], margin=0.005):
         raise InvalidGoal(
-            f"at {_at(point)} {name!r} would tip off {below.name!r}: its centre must be at least 5 mm inside the edge", name
+            f"at {_at(point)} {name!r} would tip off {below.name!r}: its centre must be at least 5 mm inside the edge",
+            name,
         )
     return goal.at(Pose(point - [0, 0, gap], goal.orientation)), below.name
 

@@ -1,7 +1,8 @@
 """Candidate grasps of a box: which faces the paddles close on, from which side, how far tilted, with which hand.
 
-The tool's z axis points from the palm to the fingertips, its y axis along the closing. A box may lie on any face: the closing
-axis is an edge of the box that is nearly horizontal, the approach comes from above, tilted about the closing axis.
+The tool's z axis points from the palm to the fingertips, its y axis along the closing. A box may lie on any face: the
+closing axis is an edge of the box that is nearly horizontal, the approach comes from above, tilted about the closing
+axis.
 """
 
 from __future__ import annotations
@@ -118,7 +119,7 @@ def _depth(box: Box, tilt: float) -> float | None:
 
 
 def _cost(box: Box, arm: str, rotation: Array, tilt: float) -> float:
-    """Prefers the hand on the box's side, a hand that points down, and a wrist turned little from where it is at home."""
+    """Prefers the hand on the box's side, a hand that points down, and a wrist turned little from home."""
     side = 1.0 if arm == "left" else -1.0
     across = max(0.0, 0.05 - side * float(box.position[1]))
     turn = float(np.arccos(np.clip(-rotation[0, 0], -1, 1)))
@@ -128,4 +129,3 @@ def _cost(box: Box, arm: str, rotation: Array, tilt: float) -> float:
 def grip_of(scene: Scene, grasp: Grasp) -> Pose:
     """Pose of the grasped box in the tool frame."""
     return grasp.tool.inverse() @ scene.box(grasp.box).pose
-

@@ -1,8 +1,8 @@
 """Inverse kinematics of one arm: mink's differential IK, restarted, within the joints' ranges.
 
-Each step solves a small quadratic program for the joints' displacement (Zakka, "mink", after Kanoun et al., 2011): the frame
-task pulls the tool to its target, a little damping settles the redundant joint, and the joints' ranges and a bound on the
-step are hard limits. Differential IK is local, so a start that gets stuck is given up and another tried.
+Each step solves a small quadratic program for the joints' displacement (Zakka, "mink", after Kanoun et al., 2011): the
+frame task pulls the tool to its target, a little damping settles the redundant joint, and the joints' ranges and a
+bound on the step are hard limits. Differential IK is local, so a start that gets stuck is given up and another tried.
 """
 
 from __future__ import annotations
@@ -69,7 +69,8 @@ def solve_ik(
         rng: where later starts come from; a fixed seed by default.
         restarts: how many starts are tried at most.
         solver: a quadratic programming solver that qpsolvers knows ("daqp", "osqp", "proxqp", ...).
-        accept: further condition on a solution, such as freedom from collision; a solution it refuses counts as a failed start.
+        accept: further condition on a solution, such as freedom from collision; a solution it refuses counts as a
+            failed start.
 
     Raises:
         InvalidGoal: the target is not finite, or there is no such arm.
@@ -169,8 +170,8 @@ def _check_distance(arm: Arm, target: Pose) -> None:
     distance = float(np.linalg.norm(wrist - arm.shoulder))
     if distance > arm.reach:
         raise UnreachableTarget(
-            f"the {arm.name} arm cannot reach {_place(target)}: too far, its wrist would be {distance:.3f} m from the shoulder "
-            f"and the arm is {arm.reach:.3f} m long",
+            f"the {arm.name} arm cannot reach {_place(target)}: too far, its wrist would be "
+            f"{distance:.3f} m from the shoulder and the arm is {arm.reach:.3f} m long",
             "too far",
         )
 
@@ -178,20 +179,22 @@ def _check_distance(arm: Arm, target: Pose) -> None:
 def _explain(arm: Arm, target: Pose, best: _Best | None, refused: int, restarts: int) -> UnreachableTarget:
     if refused or best is None:
         return UnreachableTarget(
-            f"the {arm.name} arm reaches {_place(target)} only in configurations that are refused ({refused} of {restarts} starts)",
+            f"the {arm.name} arm reaches {_place(target)} only in configurations that are refused "
+            f"({refused} of {restarts} starts)",
             "collision",
         )
     slack = np.minimum(best.joints - arm.lower, arm.upper - best.joints)
     stuck = [name for name, room in zip(arm.joints, slack, strict=True) if room < 2e-2]
     if stuck:
         return UnreachableTarget(
-            f"the {arm.name} arm cannot reach {_place(target)}: {', '.join(stuck)} at the end of the range in the best of "
-            f"{restarts} starts, {1000 * best.distance:.0f} mm short",
+            f"the {arm.name} arm cannot reach {_place(target)}: {', '.join(stuck)} at the end of the range "
+            f"in the best of {restarts} starts, {1000 * best.distance:.0f} mm short",
             "joint limit",
             stuck,
         )
     return UnreachableTarget(
-        f"the {arm.name} arm cannot reach {_place(target)}: too far by {1000 * best.distance:.0f} mm in the best of {restarts} starts",
+        f"the {arm.name} arm cannot reach {_place(target)}: too far by {1000 * best.distance:.0f} mm in "
+        f"the best of {restarts} starts",
         "too far",
     )
 

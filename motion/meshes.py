@@ -1,4 +1,4 @@
-"""The robot's DAE meshes as files that MuJoCo loads quickly: visuals decimated, collision shapes as their convex hulls."""
+"""The robot's DAE meshes as files that MuJoCo loads quickly: visuals decimated, collision shapes as convex hulls."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import numpy as np
 from motion.errors import RobotUnavailable
 
 
-def load(path: Path) -> Any:  # noqa: ANN401  (a trimesh.Trimesh)
+def load(path: Path) -> Any:
     """A DAE file as one mesh in metres, with vertices in the same place merged."""
     import trimesh
 
@@ -27,7 +27,7 @@ def write_hull(source: Path, target: Path) -> None:
 
 
 def write_visual(source: Path, target: Path, keep: float) -> None:
-    """Writes a mesh with about the fraction `keep` of its faces as binary STL; small meshes keep a recognisable number."""
+    """Writes a mesh with about the fraction `keep` of its faces as binary STL; small meshes keep more."""
     import fast_simplification
 
     mesh = load(source)

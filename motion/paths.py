@@ -62,13 +62,14 @@ def connect(
     path = _rrt_connect(checker, arm, start, goal, rules, rng, expansions)
     if path is None:
         raise PathNotFound(
-            f"no way was found for {phase} of the {arm} arm in {expansions} expansions, although its start and goal are free"
+            f"no way was found for {phase} of the {arm} arm in {expansions} expansions, "
+            "although its start and goal are free"
         )
     return _shortened(checker, path, rules, rng)
 
 
 def straight(arm: str, first: Pose, last: Pose, joints: Array) -> list[Array] | None:
-    """Joints along the straight line of the tool from `first` to `last`, starting near `joints`; None if the arm cannot follow.
+    """Joints along the straight line of the tool from `first` to `last`; None if the arm cannot follow.
 
     Args:
         arm: "left" or "right".
@@ -87,7 +88,7 @@ def straight(arm: str, first: Pose, last: Pose, joints: Array) -> list[Array] | 
 
 
 def describe(near: Near) -> str:
-    """"a and b are 3.0 mm apart", or how deep they overlap."""
+    """How near they are in words, such as: a and b are 3.0 mm apart."""
     first, second = near.bodies
     if near.distance < 0:
         return f"{first} and {second} overlap by {-1000 * near.distance:.1f} mm"
@@ -150,7 +151,9 @@ def _rrt_connect(
     return None
 
 
-def _extend(checker: CollisionChecker, tree: _Tree, target: Array, rules: Rules, source: int | None = None) -> int | None:
+def _extend(
+    checker: CollisionChecker, tree: _Tree, target: Array, rules: Rules, source: int | None = None
+) -> int | None:
     """Grows the tree one step towards `target`; the new node, or None when that step is not free."""
     near = tree.nearest(target) if source is None else source
     origin = tree.nodes[near]

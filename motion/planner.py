@@ -1,12 +1,13 @@
-"""Plans for a pick, a place and the way home: grasps are tried in their order until one yields a plan that is verified as a whole."""
+"""Plans for a pick, a place and the way home: grasps are tried in order until one yields a plan that is verified."""
 
 from __future__ import annotations
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from motion.attempts import BRIEF, THOROUGH, Attempt, Failures
+from motion.attempts import BRIEF, THOROUGH, Attempt
 from motion.errors import MotionError
+from motion.failures import Failures
 from motion.goals import checked_arms, checked_destination, checked_target, heading
 from motion.grasps import Grasp, grasp_candidates
 from motion.plans import Plan
@@ -80,7 +81,8 @@ def plan_place(
         scene: where everything is.
         target: name of the box.
         position: (3,) where its centre shall be, resting on the table or on another box, metres.
-        yaw: direction of its first level edge, radians (see `goals.heading`); by default the box keeps its heading if it can.
+        yaw: direction of its first level edge, radians (see `goals.heading`); by default the box keeps its heading if
+            it can.
         arm: "left", "right", or "auto".
         start: where the robot is; home by default.
         rng: source of all chance; a fixed seed by default.
@@ -140,7 +142,7 @@ def plan_home(
 
 
 def _taken_and_put(attempt: Attempt, grasp: Grasp, goals: list[tuple[Box, str]], failures: Failures) -> Plan | None:
-    """A plan that uses this grasp, for the first of the goals that it can serve; None, with the failures noted, otherwise."""
+    """A plan that uses this grasp for the first of the goals that it can serve, or None, with the failures noted."""
     try:
         attempt.check_put(grasp, goals)
         attempt.take(grasp, LIFT)
@@ -186,4 +188,3 @@ def _square(box: Box) -> bool:
     """Whether the box looks the same from above after a quarter turn."""
     level = [i for i in range(3) if abs(box.axes[2, i]) < 0.7]
     return len(level) == 2 and abs(box.size[level[0]] - box.size[level[1]]) < 1e-4
-

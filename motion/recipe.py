@@ -88,7 +88,10 @@ def recipe() -> Recipe:
         visual_faces=int(data["visual_faces"]),
         dummy_sphere_radius=float(data["dummy_sphere_radius"]),
         limits=JointLimits(
-            frozen(limits["velocity"]), frozen(limits["acceleration"]), frozen(limits["jerk"]), limits["position_margin"]
+            frozen(limits["velocity"]),
+            frozen(limits["acceleration"]),
+            frozen(limits["jerk"]),
+            limits["position_margin"],
         ),
         carrying_speed=float(data["carrying_speed"]),
         actuators=data["actuators"],

@@ -1,4 +1,4 @@
-"""Pictures of a scene without a screen, by EGL or OSMesa, whichever starts; and where points of the world are in them."""
+"""Pictures of a scene without a screen, by EGL or OSMesa, whichever starts; and where points of the world are."""
 
 from __future__ import annotations
 
@@ -22,7 +22,9 @@ from motion.simulator import Simulator
 from motion.state import RobotState
 
 _BACKENDS = ("egl", "osmesa")
-_HELP = "install one of the Debian packages libegl1 or libosmesa6 (apt install libegl1), or set MUJOCO_GL to what you have"
+_HELP = (
+    "install one of the Debian packages libegl1 or libosmesa6 (apt install libegl1), or set MUJOCO_GL to what you have"
+)
 _FIELD_OF_VIEW = 45.0
 _LARGEST = (3840, 2160)
 
@@ -64,8 +66,8 @@ CAMERAS = MappingProxyType(
         "side": Camera(frozen([0.75, -2.3, 1.45]), frozen([0.5, 0.0, 0.85])),
     }
 )
-"""Cameras by name: "front" faces the robot over the table, "robot" is the robot's own view, "top" is from above (the robot at
-the bottom of the picture), "side" is from the robot's right."""
+"""Cameras by name: "front" faces the robot over the table, "robot" is the robot's own view, "top" is from above (the
+robot at the bottom of the picture), "side" is from the robot's right."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -88,7 +90,7 @@ class Marker:
 
 
 @lru_cache(maxsize=1)
-def _context_class() -> Any:  # noqa: ANN401
+def _context_class() -> Any:
     """The class of OpenGL contexts that can be started on this machine.
 
     Raises:
@@ -168,7 +170,9 @@ class Renderer:
     def __enter__(self) -> Renderer:
         return self
 
-    def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None) -> None:
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
         self.close()
 
     def close(self) -> None:
@@ -209,7 +213,13 @@ class Renderer:
         mujoco.mj_camlight(self._model, self._data)
         self._model.vis.global_.fovy = view.field_of_view
         mujoco.mjv_updateScene(
-            self._model, self._data, self._option, None, _free_camera(view), mujoco.mjtCatBit.mjCAT_ALL.value, self._view
+            self._model,
+            self._data,
+            self._option,
+            None,
+            _free_camera(view),
+            mujoco.mjtCatBit.mjCAT_ALL.value,
+            self._view,
         )
         for marker in markers:
             self._draw(marker)
@@ -269,7 +279,7 @@ class Renderer:
         self._view.ngeom += 1
 
 
-def _free_camera(view: Camera) -> Any:  # noqa: ANN401
+def _free_camera(view: Camera) -> Any:
     """MuJoCo's free camera, which is told where it looks, from how far, and at which angles."""
     camera = mujoco.MjvCamera()
     forward = view.axes[:, 2]

@@ -1,4 +1,4 @@
-"""Baxter, built once from its URDF: Pinocchio's model for kinematics, MuJoCo's for contact and physics, from one description."""
+"""Baxter, built once from its URDF: Pinocchio's model for kinematics, MuJoCo's for contact, from one description."""
 
 from __future__ import annotations
 
@@ -80,7 +80,7 @@ class Robot:
             raise InvalidGoal(f"there is no arm {name!r}; there are 'left' and 'right'") from None
 
     def tool_pose(self, arm: str, joints: Array) -> Pose:
-        """Pose of an arm's tool frame (between the fingertips, z along the approach, y along the closing), by Pinocchio.
+        """Pose of an arm's tool frame (between the fingertips, z along the approach, y along the closing).
 
         Args:
             arm: "left" or "right".
@@ -97,7 +97,9 @@ class Robot:
         try:
             model = mujoco.MjModel.from_binary_path(str(path))
         except ValueError as error:
-            raise RobotUnavailable(f"{path} could not be read ({error}); delete the folder and it is built again") from error
+            raise RobotUnavailable(
+                f"{path} could not be read ({error}); delete the folder and it is built again"
+            ) from error
         margin = recipe().limits.position_margin
         model.jnt_range[:, 0] += margin
         model.jnt_range[:, 1] -= margin
@@ -123,7 +125,7 @@ class Robot:
 
 @lru_cache(maxsize=1)
 def load_robot() -> Robot:
-    """The robot, built on first use (a progress bar on standard error says so) and read from the user's cache afterwards.
+    """The robot, built on first use (a progress bar on standard error says so), later read from the user's cache.
 
     Raises:
         RobotUnavailable: its description is not installed or cannot be read.

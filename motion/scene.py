@@ -47,7 +47,9 @@ class Box:
             except (TypeError, ValueError) as error:
                 raise InvalidScene(f"{key} of box {self.name!r} is {getattr(self, key)!r}, not numbers") from error
             if value.shape != (length,) or not np.all(np.isfinite(value)):
-                raise InvalidScene(f"{key} of box {self.name!r} is {value.tolist()}; {length} finite numbers are needed")
+                raise InvalidScene(
+                    f"{key} of box {self.name!r} is {value.tolist()}; {length} finite numbers are needed"
+                )
             object.__setattr__(self, key, tuple(value.tolist()) if key == "color" else value)
         if np.any(self.size <= 0):
             raise InvalidScene(f"size of box {self.name!r} is {self.size.tolist()}; every edge must be positive")
@@ -137,7 +139,9 @@ class Scene:
         """The same boxes, those named in `poses` (and not fixed) elsewhere."""
         for name in poses:
             self.box(name)
-        return Scene(tuple(box.at(poses[box.name]) if box.name in poses and not box.fixed else box for box in self.boxes))
+        return Scene(
+            tuple(box.at(poses[box.name]) if box.name in poses and not box.fixed else box for box in self.boxes)
+        )
 
     def boxes_above(self, name: str) -> tuple[Box, ...]:
         """The boxes that rest on the box of that name, directly."""

@@ -1,7 +1,8 @@
 """Physics: the robot and the boxes in MuJoCo, the controllers that follow plans, and what can be observed.
 
-The arms are position servos. Their set point leads the plan by what its velocity and acceleration ask of the servo (feedforward
-by MuJoCo's mass matrix), and a slow, bounded integral takes out what remains, such as the weight of a held block.
+The arms are position servos. Their set point leads the plan by what its velocity and acceleration ask of the servo
+(feedforward by MuJoCo's mass matrix), and a slow, bounded integral takes out what remains, such as the weight of a
+held block.
 """
 
 from __future__ import annotations
@@ -108,7 +109,9 @@ class Simulator:
     def __enter__(self) -> Simulator:
         return self
 
-    def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None) -> None:
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
         self.close()
 
     def close(self) -> None:
@@ -125,7 +128,8 @@ class Simulator:
     def poses(self) -> dict[str, Pose]:
         """Pose of every box, by name."""
         return {
-            box.name: box.pose if box.fixed else self._indices.read_box(self._data, box.name) for box in self._scene.boxes
+            box.name: box.pose if box.fixed else self._indices.read_box(self._data, box.name)
+            for box in self._scene.boxes
         }
 
     def scene(self) -> Scene:
@@ -133,8 +137,10 @@ class Simulator:
         return self._scene.moved({name: pose for name, pose in self.poses().items() if name in self._indices.box_qpos})
 
     def state(self) -> RobotState:
-        """The robot as it is now: joints as commanded (so that the next plan begins without a jump), widths and what is held
-        as measured."""
+        """The robot as it is now, for the next plan.
+
+        Joints are as commanded, so that the next plan begins without a jump; widths and what is held are as measured.
+        """
         widths = {arm: self.gripper_width(arm) for arm in ARMS}
         held = {arm: names[0] for arm in ARMS if (names := self.holding(arm))}
         return RobotState(self._reference["left"], self._reference["right"], widths, held)
@@ -172,7 +178,7 @@ class Simulator:
                         names.add(other)
         return tuple(sorted(touched["l"] & touched["r"]))
 
-    def copy_positions(self, data: Any) -> None:  # noqa: ANN401
+    def copy_positions(self, data: Any) -> None:
         """Writes all positions into the MjData of another model of the same scene, such as the one that is rendered."""
         data.qpos[:] = self._data.qpos
         data.time = self._data.time
@@ -194,7 +200,8 @@ class Simulator:
             gap = float(np.max(np.abs(plan.start.joints(arm) - self._reference[arm])))
             if gap > _START_TOLERANCE:
                 raise InvalidGoal(
-                    f"the plan begins {gap:.3f} rad from where the {arm} arm is; plan with start=simulator.state()", plan.target
+                    f"the plan begins {gap:.3f} rad from where the {arm} arm is; plan with start=simulator.state()",
+                    plan.target,
                 )
         records = tuple(self._run(plan.arm, plan.target, phase, on_step) for phase in plan.phases)
         return Execution(records, self.holding(plan.arm))

@@ -1,8 +1,9 @@
 """From a path to a timed trajectory: jerk-limited, all joints together, without stopping on the way.
 
-A path is a clamped cubic B-spline over its waypoints (twice continuously differentiable, straight where the waypoints are), and
-one Ruckig profile (Berscheid and Kröger, 2021) runs along it. For a straight line that is Ruckig's phase-synchronised profile;
-for a curve the profile is slowed by the one factor that brings every joint within its limits.
+A path is a clamped cubic B-spline over its waypoints (twice continuously differentiable, straight where the waypoints
+are), and one Ruckig profile (Berscheid and Kröger, 2021) runs along it. For a straight line that is Ruckig's
+phase-synchronised profile; for a curve the profile is slowed by the one factor that brings every joint within its
+limits.
 """
 
 from __future__ import annotations
@@ -12,6 +13,7 @@ from dataclasses import dataclass
 
 import numpy as np
 import ruckig
+from numpy.typing import NDArray
 
 from motion.errors import LimitViolation
 from motion.poses import Array, frozen
@@ -144,8 +146,8 @@ def _profile(velocity: float, acceleration: float, jerk: float) -> tuple[Array, 
 class _Spline:
     """Clamped uniform cubic B-spline on [0, 1] along a polyline, with three derivatives.
 
-    Its control points lie on the polyline at the knots' Greville abscissae (Schoenberg's approximation), so that a straight
-    polyline is run through at constant speed.
+    Its control points lie on the polyline at the knots' Greville abscissae (Schoenberg's approximation), so that a
+    straight polyline is run through at constant speed.
     """
 
     def __init__(self, path: Sequence[Array], spacing: float) -> None:
@@ -169,10 +171,10 @@ class _Spline:
         """Position and three derivatives with respect to s at (n,) places, (n, 7) each."""
         s = np.clip(s, 0.0, 1.0)
         count = len(self._control[0])
-        span = np.clip(np.searchsorted(self._knots, s, side="right") - 1, 3, count - 1)
+        span = np.clip(np.searchsorted(self._knots, s, side="right") - 1, 3, count - 1).astype(np.int64)
         return tuple(self._value(self._control[k], 3 - k, k, s, span) for k in range(4))  # type: ignore[return-value]
 
-    def _value(self, control: Array, degree: int, trimmed: int, s: Array, span: Array) -> Array:
+    def _value(self, control: Array, degree: int, trimmed: int, s: Array, span: NDArray[np.int64]) -> Array:
         """De Boor's algorithm on the derivative's control points, whose knots lose `trimmed` at either end."""
         knots = self._knots[trimmed : len(self._knots) - trimmed]
         span = span - trimmed
