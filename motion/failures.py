@@ -15,12 +15,20 @@ class Failures:
         self._target = target
         self._noted: list[MotionError] = []
         self._pathless: list[Grasp] = []
+        self._obstructed: list[Grasp] = []
 
     def note(self, grasp: Grasp | None, error: MotionError) -> None:
         """One attempt failed."""
         self._noted.append(error)
         if isinstance(error, PathNotFound) and grasp is not None and grasp not in self._pathless:
             self._pathless.append(grasp)
+        near = isinstance(error, PlanInCollision) or (isinstance(error, UnreachableTarget) and error.bodies is not None)
+        if near and grasp is not None and grasp not in self._obstructed:
+            self._obstructed.append(grasp)
+
+    def obstructed(self) -> list[Grasp]:
+        """The grasps that failed because something was too near."""
+        return list(self._obstructed)
 
     def without_path(self) -> list[Grasp]:
         """The grasps that failed only because no path was found: worth a longer search."""

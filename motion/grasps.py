@@ -8,7 +8,7 @@ axis.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -28,6 +28,7 @@ _FINGER_DEPTH = 0.00515
 _TIP_CLEARANCE = 0.004
 _DEEPEST = 0.010
 _OPENING_ROOM = 0.007
+_NARROW_ROOM = 0.003
 _LEAST_ROOM = 0.002
 _LEVEL = 0.26
 
@@ -53,6 +54,10 @@ class Grasp:
     width: float
     opening: float
     cost: float
+
+    def narrowed(self) -> Grasp:
+        """The same grasp with the fingers opened less, for where neighbours are close."""
+        return replace(self, opening=min(self.opening, self.width + 2 * _NARROW_ROOM))
 
     def backed(self, distance: float) -> Pose:
         """The tool's pose `distance` metres back along the approach."""

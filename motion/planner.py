@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 import numpy as np
 from numpy.typing import ArrayLike
 
@@ -52,8 +54,7 @@ def plan_pick(
     checked_target(scene, target, start)
     arms = checked_arms(arm, start, target)
     failures = Failures(target)
-    grasps = grasp_candidates(scene, target, arms)
-    for expansions in (BRIEF, THOROUGH):
+    for expansions, grasps in _rounds(scene, target, arms, failures):
         for grasp in grasps:
             attempt = Attempt(scene, start, grasp.arm, target, rng, expansions)
             try:
@@ -61,7 +62,6 @@ def plan_pick(
                 return attempt.finished("pick", _raised(scene.box(target), lift))
             except MotionError as error:
                 failures.note(grasp, error)
-        grasps = failures.without_path()
     raise failures.summary()
 
 
@@ -107,13 +107,11 @@ def plan_place(
             except MotionError as error:
                 failures.note(None, error)
         raise failures.summary()
-    grasps = grasp_candidates(scene, target, arms)
-    for expansions in (BRIEF, THOROUGH):
+    for expansions, grasps in _rounds(scene, target, arms, failures):
         for grasp in grasps:
             plan = _taken_and_put(Attempt(scene, start, grasp.arm, target, rng, expansions), grasp, goals, failures)
             if plan is not None:
                 return plan
-        grasps = failures.without_path()
     raise failures.summary()
 
 
@@ -139,6 +137,18 @@ def plan_home(
     attempt = Attempt(scene, start, arm, start.held.get(arm), rng)
     attempt.go_home()
     return attempt.finished("home", None)
+
+
+def _rounds(
+    scene: Scene, target: str, arms: tuple[str, ...], failures: Failures
+) -> Iterator[tuple[int, list[Grasp]]]:
+    """Grasps to try, with the bound of each search for a path.
+
+    First all of them, then the obstructed ones with the fingers opened less, at last those that only lacked a path.
+    """
+    yield BRIEF, grasp_candidates(scene, target, arms)
+    yield BRIEF, [grasp.narrowed() for grasp in failures.obstructed()]
+    yield THOROUGH, failures.without_path()
 
 
 def _taken_and_put(attempt: Attempt, grasp: Grasp, goals: list[tuple[Box, str]], failures: Failures) -> Plan | None:
