@@ -145,6 +145,7 @@ class _Annotator:
         kind = modifier.reference_kind
         carried: frozenset[Symbol] = frozenset()
         nearest_to: tuple[str, ...] = ()
+        member = False
         if modifier.sort == "direction":
             index = modifier.index or index
             said = modifier.relation
@@ -172,6 +173,10 @@ class _Annotator:
         elif modifier.sort == "region" and modifier.region is not None:
             if modifier.region.relation == "near" and "closest" in modifier.preposition.split():
                 nearest_to = modifier.region.objects
+            elif relation is None and index is None and _means_member(modifier):
+                pool &= layout.mask(modifier.region.objects)
+                relation, kind = modifier.region.relation, modifier.region.kind
+                member = True
             elif modifier.region.kind != "robot":
                 pool &= layout.within(modifier.region.relation, modifier.region.objects)
             carried = frozenset({modifier.region})
@@ -186,10 +191,13 @@ class _Annotator:
         if nearest_to:
             chosen = self._closest(phrase, pool & ~layout.mask(nearest_to), nearest_to)
         elif relation is not None:
-            chosen = self._rank(phrase, pool, ranked, index or 1, kind if modifier.chosen else "")
+            chosen = self._rank(phrase, pool, ranked, index or 1, kind if modifier.chosen or member else "")
         else:
             chosen = pool if single(pool) and index is None else 0
-        attribute = ObjectAttribute(head.object_type, head.color, relation, index or (1 if relation else None))
+        said_relation = head.relation if member else relation
+        attribute = ObjectAttribute(
+            head.object_type, head.color, said_relation, index or (1 if said_relation else None)
+        )
         found = self._objects(chosen)
         if modifier.sort in ("direction", "robot"):
             symbols = found | {attribute}
@@ -370,7 +378,7 @@ class _Annotator:
             for mask in sets
             if region is None
             or not self.layout.mask(region.objects) & mask
-            or region.objects == self.layout.names(mask)
+            or told[-1].sort == "direction"
         )
         return Meaning("action", actions | {Action(kind)})
 
@@ -471,9 +479,19 @@ class _Annotator:
         return sum(1 << i for i, value in zip(members, over, strict=True) if value > 0)
 
 
+def _means_member(modifier: Meaning) -> bool:
+    """Whether a place names a member: the top of a tower, the middle of a row, what is at its end."""
+    region = modifier.region
+    if region is None or region.kind in ("object", "robot"):
+        return False
+    if region.relation in ("left", "right", "front", "back"):
+        return modifier.preposition == "at"
+    return region.relation == "center" or (region.relation == "top" and region.kind == "tower")
+
+
 def _passed(meaning: Meaning) -> frozenset[Symbol]:
     """What a phrase passes on to the one around it: all but the labels and words of the noun phrase itself."""
-    if meaning.sort in ("one", "many", "container"):
+    if meaning.sort in ("one", "many", "container", "table"):
         kept = (ObjectSymbol, Container, ContainerAttribute, ObjectAttribute)
         return frozenset(s for s in meaning.symbols if isinstance(s, kept))
     return meaning.symbols

@@ -61,7 +61,8 @@ def annotate_base(phrase: Phrase, layout: Layout, arrangements: tuple[tuple[str,
         tables = [item.id for item in layout.world.objects if item.type == "table"]
         if len(tables) != 1 or said.relations or said.colors:
             raise NotAnnotatable(f"NP {phrase.text!r}: which table?")
-        return Meaning("table", frozenset({ObjectSymbol(tables[0])}), reference=tuple(tables))
+        symbols = frozenset({ObjectSymbol(tables[0]), ObjectType("table")})
+        return Meaning("table", symbols, reference=tuple(tables))
     if len(said.relations) > 1 or len(said.colors) > 1 or len(said.numbers) > 1 or len(said.indices) > 1:
         raise NotAnnotatable(f"NP {phrase.text!r}: two words for the same thing")
     if said.kinds:
@@ -245,7 +246,7 @@ def _container(phrase: Phrase, said: _Words, layout: Layout, arrangements: tuple
     mask = 0
     if chosen is not None:
         mask = chosen[1]
-        symbols = {s for s in symbols if not isinstance(s, Container)} | {Container(chosen[0], layout.names(mask))}
+        symbols.add(Container(chosen[0], layout.names(mask)))
         symbols |= {ObjectSymbol(name) for name in layout.names(mask)}
     return Meaning(
         "container", frozenset(symbols), None, color, relation, said.indices[0] if said.indices else None, number,

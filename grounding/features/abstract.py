@@ -6,6 +6,7 @@ import itertools
 
 from grounding.features.scope import Scope
 from grounding.geometry.arrangements import Arrangement
+from grounding.geometry.masks import indices_of
 from grounding.symbols import Container, ContainerAttribute, ObjectAttribute, ObjectSymbol, Symbol
 
 Proposals = list[tuple[Symbol, list[str]]]
@@ -17,8 +18,13 @@ def objects(scope: Scope) -> Proposals:
     """Every object that is in some named set; an object's roles are the sets it is in."""
     layout = scope.layout
     proposals: Proposals = []
-    for index, names in sorted(scope.sets.of_object.items()):
-        roles = [*names]
+    members: dict[int, list[str]] = {index: list(names) for index, names in scope.sets.of_object.items()}
+    if scope.fitting.kinds:
+        for (_, mask), fits in scope.fitting.named.items():
+            for index in indices_of(mask):
+                members.setdefault(index, []).extend(f"member {name}" for name in fits)
+    for index, names in sorted(members.items()):
+        roles = list(dict.fromkeys(names))
         for role, source in scope.child_sources.items():
             if source.objects >> index & 1:
                 roles.append(f"in {role}")
@@ -92,7 +98,7 @@ def collections(scope: Scope) -> Proposals:
     """Container attributes from what the phrase and its head speak of, and those of the children."""
     own = scope.own
     found: dict[ContainerAttribute, list[str]] = {}
-    if own.types or own.numbers or scope.plural or scope.named:
+    if own.types or own.numbers or scope.plural or scope.universal:
         types: dict[str | None, str] = dict.fromkeys(own.types, "own")
         colors: dict[str | None, str] = dict.fromkeys(own.colors, "own")
         relations: dict[str | None, str] = dict.fromkeys(own.relations, "own")

@@ -31,7 +31,7 @@ _SPATIAL = tuple(SpatialReference(name) for name in SPATIAL_REFERENCES)
 _KINDS = tuple(Container(kind) for kind in CONTAINER_KINDS)
 _VERBS = tuple(Action(kind) for kind in ACTION_KINDS)
 _COLORS = tuple(ObjectColor(name) for name in known_colors())
-_IDENTIFIED = (SpatialReference, Container, Action)  # kinds whose members are worth weights of their own
+_IDENTIFIED = (SpatialReference, Container, Action, ObjectType)  # kinds whose members are worth weights of their own
 
 
 def _judge(scope: Scope, symbols: Iterable[Symbol]) -> Proposals:

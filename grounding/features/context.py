@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from grounding.features.scope import Scope
-from grounding.features.sources import child_roles
+from grounding.features.sources import Source, child_roles
 from grounding.language.lexicon import is_superlative, is_universal, meanings, size_order
 from grounding.language.tree import Phrase
 from grounding.symbols import Symbol
@@ -58,6 +58,10 @@ def child_facts(scope: Scope) -> list[str]:
         facts += [f"{role}.container={kind}" for kind, _ in source.containers]
         facts += [f"{role}.region={region.relation}" for region in source.regions]
         facts += [f"{role}.region of={region.kind}" for region in source.regions]
+    if scope.child_sources:
+        told = "+".join(f"{role}({_told(source)})" for role, source in scope.child_sources.items())
+        prepositions = ",".join(filter(None, map(_preposition, scope.phrase.phrases)))
+        facts += [f"composed {told}", f"composed {told} by {prepositions}"]
     head, mod = scope.source("head"), scope.source("mod")
     if head.relations and mod.relations:
         prepositions = [_preposition(c) for c in scope.phrase.phrases if c.tag == "PP"]
@@ -74,6 +78,11 @@ def own_facts(scope: Scope) -> list[str]:
             facts.append(f"own {name}")
     facts += [f"own.relation={relation}" for relation in own.relations]
     facts += [f"own.kind={kind}" for kind in own.kinds]
+    if scope.phrase.words:
+        number = "several" if scope.plural else "one"
+        every = "all " if scope.universal else ""
+        article = "the " if any(word.text in ("the", "these", "those") for word in scope.phrase.words) else ""
+        facts.append(f"base {every}{article}{number} {_told(own)}")
     sets = scope.sets
     base = sets.base
     facts.append("nothing matches" if not base else "one matches" if base & (base - 1) == 0 else "many match")
@@ -96,6 +105,17 @@ def context_facts(scope: Scope, settled: bool) -> list[str]:
     """
     facts = [*word_facts(scope), *child_facts(scope)]
     return facts + own_facts(scope) if settled else facts
+
+
+def _told(source: Source) -> str:
+    """In short what kinds of things a part speaks of."""
+    kinds = {
+        "d": source.relations, "i": source.indices, "n": source.numbers, "k": source.kinds, "C": source.containers,
+        "R": source.regions, "A": source.attributes, "P": source.collections, "!": source.actions,
+        "F": source.furniture, "B": source.robot,
+    }  # fmt: skip
+    objects = "" if not source.objects else "o" if source.objects & (source.objects - 1) == 0 else "O"
+    return "".join(letter for letter, values in kinds.items() if values) + objects
 
 
 def _preposition(phrase: Phrase) -> str:

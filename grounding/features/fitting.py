@@ -47,7 +47,7 @@ class Fitting:
             a for a in layout.arrangements if (not self.kinds or a.kind in self.kinds) and not a.mask & ~self.wanted
         ]
         counts = {count for _, count in self.sets.numbers}
-        found = {"seen": layout.prominent(of_kind)}
+        found = {"seen": layout.prominent(of_kind), "evident": layout.prominent([a for a in of_kind if a.evident])}
         if counts:
             found["counted"] = layout.prominent([a for a in of_kind if a.count in counts])
         for role in ("mod", "inner", "head"):
@@ -62,7 +62,7 @@ class Fitting:
             elif role == "mod" and source.relations:
                 inside = self.sets.side(source.relations[0])
             if inside is not None:
-                base = found.get("counted", found["seen"])
+                base = found.get("counted", found["evident"] or found["seen"])
                 found[f"{role}.side" if source.relations and not source.regions else f"{role}.within"] = tuple(
                     a for a in base if not a.mask & ~inside
                 )
@@ -80,7 +80,8 @@ class Fitting:
             if len(arrangements) == 1:
                 found[arrangements[0].kind, arrangements[0].mask].append(f"only[{name}]")
             else:
-                found[arrangements[0].kind, arrangements[0].mask].append(f"best[{name}]")
+                best = "clear best" if arrangements[0].prominence > 1.5 * arrangements[1].prominence else "best"
+                found[arrangements[0].kind, arrangements[0].mask].append(f"{best}[{name}]")
                 by_size = sorted(arrangements, key=lambda a: -a.count)
                 if by_size[0].count > by_size[1].count:
                     found[by_size[0].kind, by_size[0].mask].append(f"largest[{name}]")

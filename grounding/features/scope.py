@@ -9,7 +9,7 @@ from grounding.features.fitting import Fitting
 from grounding.features.sets import NamedSets
 from grounding.features.sources import NOTHING, Source, child_roles, digest, merge
 from grounding.geometry.layout import Layout
-from grounding.language.lexicon import is_plural, meanings
+from grounding.language.lexicon import is_plural, is_universal, meanings
 from grounding.language.tree import Phrase
 from grounding.symbols import Symbol
 
@@ -83,6 +83,11 @@ class Scope:
     def plural(self) -> bool:
         """Whether the phrase's own head noun is plural."""
         return any(is_plural(word.tag) for word in self.phrase.words)
+
+    @cached_property
+    def universal(self) -> bool:
+        """Whether the phrase's own words mean all of a set."""
+        return any(is_universal(word.text) for word in self.phrase.words)
 
     @cached_property
     def sets(self) -> NamedSets:

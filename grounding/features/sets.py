@@ -119,7 +119,23 @@ class NamedSets:
                 for count_who, count in self.numbers:
                     found[f"k[{ref}|{who}|{count_who}]"] = layout.extreme(mask, flat or direction, count)
         found.update(self._closest())
+        found.update(self._members_of_regions())
         return {name: mask for name, mask in found.items() if mask}
+
+    def _members_of_regions(self) -> dict[str, int]:
+        """What lies in a region's direction among the region's own reference: the top of a tower, the end of a row."""
+        found = {}
+        for role in ("mod", "inner"):
+            for region in self.sources.get(role, NOTHING).regions[:1]:
+                pool = self.base & self.layout.mask(region.objects)
+                if pool and region.relation != "between":
+                    found[f"nth[{role}.of]"] = self.layout.nth(pool, region.relation, 1)
+                    if region.relation == "center":
+                        found[f"middle[{role}.of]"] = self.layout.median(pool)
+                    flat = _UPRIGHT.get(region.relation)
+                    if flat is not None:
+                        found[f"flat[{role}.of]"] = self.layout.nth(pool, flat, 1)
+        return found
 
     def _closest(self) -> dict[str, int]:
         found = {}

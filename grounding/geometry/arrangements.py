@@ -53,7 +53,17 @@ class Arrangement:
         if self.kind == "group":
             return float(min(self.separation, 4.0) - 1.1) * (0.5 if self.count == 2 else 1.0)
         fit = np.exp(-((self.deviation / 0.2) ** 2) - (self.angle / 0.35) ** 2 - ((1 - self.regularity) / 0.3) ** 2)
-        return float(fit * (self.count - (1.0 if self.kind != "circle" else 2.0)) * min(self.separation, 1.5))
+        return float(fit) * float(self.count - (1.0 if self.kind != "circle" else 2.0)) * min(self.separation, 1.5)
+
+    @cached_property
+    def evident(self) -> bool:
+        """Whether people would name it without being asked: enough members, well formed, apart from others."""
+        if self.kind == "tower":
+            return True
+        if self.kind == "group":
+            return self.separation > 2.0 and 3 <= self.count <= 8
+        formed = self.deviation < 0.15 and self.regularity > 0.8 and self.angle < 0.3
+        return self.count >= 3 and formed and self.separation > 0.7
 
 
 def find_arrangements(positions: Array, edges: Array) -> tuple[Arrangement, ...]:
@@ -254,7 +264,7 @@ def _spanning_tree(distances: Array) -> list[tuple[float, int, int]]:
     source = np.zeros(n, dtype=int)
     outside = np.ones(n, dtype=bool)
     outside[0] = False
-    edges = []
+    edges: list[tuple[float, int, int]] = []
     for _ in range(n - 1):
         candidate = int(np.argmin(np.where(outside, best, np.inf)))
         edges.append((float(best[candidate]), int(source[candidate]), candidate))

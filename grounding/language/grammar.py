@@ -101,6 +101,10 @@ class Grammar:
         except (ModelError, UnicodeDecodeError) as error:
             raise ModelError(f"the grammar {path} cannot be used: {error}") from error
 
+    def write(self, path: Path) -> None:
+        """Write a grammar file."""
+        path.write_text(self.to_json(), encoding="utf-8")
+
     @cached_property
     def phrase_tags(self) -> tuple[str, ...]:
         """The phrase types, in alphabetical order."""

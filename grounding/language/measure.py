@@ -7,8 +7,10 @@ of English grammars", 1991): tag, first and last word of every phrase.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable
-from dataclasses import dataclass
+from collections.abc import Iterable, Iterator
+from dataclasses import astuple, dataclass
+
+import numpy as np
 
 from grounding.language.parser import Parser
 from grounding.language.tree import Phrase, Word
@@ -40,10 +42,36 @@ class Score:
     found: int
     wanted: int
 
+    def __add__(self, other: Score) -> Score:
+        return Score(*(mine + theirs for mine, theirs in zip(astuple(self), astuple(other), strict=True)))
+
     @property
     def f1(self) -> float:
         """Harmonic mean of precision and recall of the best parses' brackets; 1 where there are none."""
         return 2 * self.matched / (self.found + self.wanted) if self.found + self.wanted else 1.0
+
+
+def held_out(
+    trees: Iterable[Phrase], parts: int, rng: np.random.Generator
+) -> Iterator[tuple[tuple[Phrase, ...], tuple[Phrase, ...]]]:
+    """Split a treebank by wording: each part is to be parsed by a grammar learned from the others.
+
+    Args:
+        trees: the treebank; trees with the same words stay together, and only the first of them is parsed.
+        parts: how many, at least 2.
+        rng: decides which wording is in which part.
+
+    Yields:
+        (trees to learn from, trees to parse).
+    """
+    wordings: dict[str, list[Phrase]] = {}
+    for tree in trees:
+        wordings.setdefault(tree.text, []).append(tree)
+    texts = [str(text) for text in rng.permutation(sorted(wordings))]
+    for part in range(parts):
+        parsed = set(texts[part::parts])
+        learned = tuple(tree for text in texts if text not in parsed for tree in wordings[text])
+        yield learned, tuple(wordings[text][0] for text in texts[part::parts])
 
 
 def brackets(tree: Phrase) -> Counter[tuple[str, int, int]]:

@@ -126,9 +126,7 @@ class TagModel:
 
     def _by_shape(self, word: str) -> dict[str, float]:
         """P(tag) of a word never seen, from its shape and its ending."""
-        open_mass = {tag: mass for tag, mass in self.rare_mass.items() if tag in _OPEN_CLASSES} or self.rare_mass
-        total = sum(open_mass.values())
-        share = {tag: mass / total for tag, mass in open_mass.items()}
+        share = dict(self._open_share)
         for length in range(1, _LONGEST_ENDING + 1):
             row = self._endings.get(word[-length:]) if len(word) > length else None
             if row is not None:
@@ -144,15 +142,22 @@ class TagModel:
         return share
 
     @cached_property
+    def _open_share(self) -> Mapping[str, float]:
+        """P(tag) of rare words of the open classes; of all rare words where the treebank has no open class."""
+        mass = {tag: mass for tag, mass in self.rare_mass.items() if tag in _OPEN_CLASSES} or self.rare_mass
+        total = sum(mass.values())
+        return {tag: mass[tag] / total for tag in mass}
+
+    @cached_property
     def _endings(self) -> Mapping[str, Mapping[str, float]]:
         """Ending -> tag -> in how many kinds of words, those of tags open to new words only."""
         table: dict[str, dict[str, float]] = {}
         for ending, (tag, weight) in _ENDINGS.items():
-            if tag in self.rare_mass:
+            if tag in self._open_share:
                 table.setdefault(ending, {})[tag] = weight
         for word, row in self.counts.items():
             best = max(row, key=lambda tag: (row[tag], tag))
-            if best not in self.rare_mass:
+            if best not in self._open_share:
                 continue
             for length in range(1, min(_LONGEST_ENDING, len(word) - 1) + 1):
                 tags = table.setdefault(word[-length:], {})

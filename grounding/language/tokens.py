@@ -15,7 +15,7 @@ from grounding.errors import LanguageError
 
 SENTENCE_ENDS = frozenset(".!?;…。！？")
 _APOSTROPHES = "'’‘ʼ＇`´"
-_HYPHENS = "-‐‑‒"
+_HYPHENS = "‐‑‒-"
 _TOKEN = re.compile(rf"\d+(?:[.,]\d+)+|\w+(?:[{_APOSTROPHES}{_HYPHENS}]\w+)*|\S")
 _CLITIC = re.compile(
     rf"(?P<stem>.+?)(?P<clitic>n[{_APOSTROPHES}]t|[{_APOSTROPHES}](?:s|d|m|ll|re|ve))\Z", re.IGNORECASE

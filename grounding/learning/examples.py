@@ -1,0 +1,94 @@
+"""Turns annotated examples into the rows that factors are trained on, and trains them.
+
+Every phrase is looked at with its children's annotated groundings and, in the second stage, with its own annotated
+concrete symbols; all proposed symbols that are not annotated are negatives.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+
+from grounding.factors import FactorModel, TrainingSet, train
+from grounding.features import FAMILIES, STAGES, Scope, family_of
+from grounding.features.context import context_facts
+from grounding.geometry.layout import Layout
+from grounding.language.tree import Phrase
+from grounding.symbols import Symbol
+
+Annotated = tuple[Phrase, Mapping[int, frozenset[Symbol]], Layout]
+
+_STAGE_OF = {family.name: family.stage for family in FAMILIES}
+
+
+@dataclass
+class Coverage:
+    """How many annotated symbols were among the proposed ones, by family."""
+
+    annotated: Counter[str] = field(default_factory=Counter)
+    proposed: Counter[str] = field(default_factory=Counter)
+    missing: list[tuple[str, str]] = field(default_factory=list)
+
+
+def annotated(tree: Phrase, groundings: Sequence[frozenset[Symbol]], layout: Layout) -> Annotated:
+    """Pair every phrase of a tree, by identity, with its annotated symbols."""
+    return tree, {id(phrase): g for phrase, g in zip(tree.preorder(), groundings, strict=True)}, layout
+
+
+def collect(examples: Iterable[Annotated]) -> tuple[dict[str, TrainingSet], Coverage]:
+    """The training rows of all families."""
+    sets = {family.name: TrainingSet() for family in FAMILIES}
+    coverage = Coverage()
+    for tree, groundings, layout in examples:
+        for phrase in tree.preorder():
+            _collect_phrase(phrase, groundings, layout, sets, coverage)
+    return sets, coverage
+
+
+def _collect_phrase(
+    phrase: Phrase,
+    groundings: Mapping[int, frozenset[Symbol]],
+    layout: Layout,
+    sets: Mapping[str, TrainingSet],
+    coverage: Coverage,
+) -> None:
+    gold = groundings[id(phrase)]
+    concrete = frozenset(s for s in gold if _STAGE_OF[family_of(s)] == 0)
+    scope = Scope(phrase, [groundings[id(child)] for child in phrase.phrases], layout)
+    for number, families in enumerate(STAGES):
+        if number == 1:
+            scope = scope.with_concrete(concrete)
+        facts = context_facts(scope, settled=number == 1)
+        for family in families:
+            proposals = family.propose(scope)
+            sets[family.name].add(facts, [(roles, symbol in gold) for symbol, roles in proposals])
+            wanted = {s for s in gold if family_of(s) == family.name}
+            found = wanted & {symbol for symbol, _ in proposals}
+            coverage.annotated[family.name] += len(wanted)
+            coverage.proposed[family.name] += len(found)
+            coverage.missing += [(phrase.text, str(s)) for s in sorted(wanted - found, key=str)]
+
+
+def learn(
+    examples: Iterable[Annotated],
+    penalty: float = 1.0,
+    progress: Callable[[str], None] | None = None,
+    notes: Mapping[str, object] | None = None,
+) -> FactorModel:
+    """Train all factors.
+
+    Args:
+        examples: annotated trees.
+        penalty: strength of the L2 regularisation.
+        progress: told the name of every family when its turn comes.
+        notes: kept with the weights.
+    """
+    sets, coverage = collect(examples)
+    factors = {}
+    for name, data in sets.items():
+        if progress is not None:
+            progress(name)
+        factors[name] = train(data, penalty)
+    counts = {name: f"{coverage.proposed[name]} of {n}" for name, n in sorted(coverage.annotated.items())}
+    return FactorModel(factors, {"penalty": penalty, "annotated symbols proposed": counts, **(notes or {})})
