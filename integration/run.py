@@ -1,0 +1,182 @@
+"""`python -m integration.run TEXT`: ground an instruction, carry it out in MuJoCo, check it, and show what happened.
+
+Exit codes: 0 done and checked; 2 bad usage or file; 3 not grounded; 4 no plan; 5 executed, but the check failed; 130
+after Ctrl-C. Standard output is for the answer, standard error for everything else.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import os
+import sys
+from collections.abc import Sequence
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, NoReturn
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from grounding.world import World
+    from integration.report import Report
+
+BAD_INPUT, INTERRUPTED, BROKEN_PIPE = 2, 130, 141
+SCENES = Path(__file__).resolve().parents[1] / "models" / "scenes"
+
+
+class _Parser(argparse.ArgumentParser):
+    """Says what is wrong in one line."""
+
+    def error(self, message: str) -> NoReturn:
+        self.exit(BAD_INPUT, f"error: {message}; --help shows how it is meant\n")
+
+
+def main(argv: Sequence[str] | None = None) -> int:
+    """Run the command.
+
+    Args:
+        argv: its arguments; those of the process by default.
+
+    Returns:
+        the exit code.
+    """
+    try:
+        code = _run(_arguments(argv))
+        sys.stdout.flush()
+        return code
+    except SystemExit as exit_:
+        return exit_.code if isinstance(exit_.code, int) else BAD_INPUT
+    except KeyboardInterrupt:
+        print("interrupted", file=sys.stderr)
+        return INTERRUPTED
+    except BrokenPipeError:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())  # the interpreter flushes once more at exit
+        return BROKEN_PIPE
+    except _expected() as error:
+        print(f"error: {' '.join(str(error).split())}", file=sys.stderr)
+        return BAD_INPUT
+
+
+def _arguments(argv: Sequence[str] | None) -> argparse.Namespace:
+    parser = _Parser("python -m integration.run", description="Have Baxter do what an instruction says, and check it.")
+    parser.add_argument("text", metavar="TEXT", help="the instruction, such as 'pick up the nearest block'")
+    parser.add_argument("--scene", default="default", help=f"a world file, or one of {', '.join(scene_names())}")
+    parser.add_argument("--arm", default="auto", choices=("auto", "left", "right"), help="which arm is to do it")
+    parser.add_argument("--seed", type=_seed, default=0, help="of all chance; the same seed, the same run (default: 0)")
+    parser.add_argument("--view", action="store_true", help="show the simulation in a window")
+    parser.add_argument("--video", type=Path, metavar="FILE", help="record the simulation: a .gif, or an .mp4")
+    parser.add_argument("--json", action="store_true", help="write the whole report as JSON")
+    parser.add_argument("--output", type=Path, default=Path("output"), metavar="DIR", help="where pictures are written")
+    parser.add_argument("--no-pictures", action="store_true", help="draw no pictures")
+    return parser.parse_args(argv)
+
+
+def _seed(text: str) -> int:
+    if not text.isdigit():
+        raise argparse.ArgumentTypeError(f"{text!r} is not a whole number from 0")
+    return int(text)
+
+
+def scene_names() -> tuple[str, ...]:
+    """The scenes that can be named."""
+    return tuple(sorted(path.stem for path in SCENES.glob("*.json")))
+
+
+def load_scene(name: str) -> World:
+    """The world of a scene by its name, or of a world file.
+
+    Raises:
+        UsageError: there is neither.
+        WorldError: the file is not as it should be.
+    """
+    from grounding import load_world
+    from integration.errors import UsageError
+
+    if name in scene_names():
+        return load_world(SCENES / f"{name}.json")
+    if Path(name).suffix or Path(name).exists() or os.sep in name:
+        return load_world(name)
+    raise UsageError(f"there is no scene {name!r}; there are {', '.join(scene_names())}, and world files (.json)")
+
+
+def _run(args: argparse.Namespace) -> int:
+    from integration.errors import UsageError
+
+    if not args.text.strip():
+        raise UsageError("the instruction is empty; say something like 'pick up the nearest block'")
+    world = load_scene(args.scene)
+    from integration.startup import started
+
+    with _watching(args, world) as watch:
+        executor = started(arm=args.arm, seed=args.seed)
+        report = executor.run(args.text, world, watch=watch)
+    hint = None
+    if not args.no_pictures:
+        from integration.pictures import save_pictures
+
+        report, hint = save_pictures(report, args.output)
+    _show(report, args, hint)
+    return report.exit_code
+
+
+def _show(report: Report, args: argparse.Namespace, hint: str | None) -> None:
+    """Writes the answer to standard output, and what else there is to say to standard error."""
+    if args.json:
+        print(json.dumps(report.to_json(), indent=2))
+    else:
+        from integration.summary import Style, summary
+
+        print(summary(report, Style.of(sys.stdout)))
+    if hint:
+        print(f"note: {hint}", file=sys.stderr)
+    if args.json and report.exit_code:
+        print(f"{report.outcome.replace('_', ' ')}: {' '.join(report.message.split())}", file=sys.stderr)
+
+
+@contextmanager
+def _watching(args: argparse.Namespace, world: World) -> Iterator[Any]:
+    """The watcher of the simulation: a recording, a window, both, or none."""
+    watchers: list[Any] = []
+    recording, window = None, None
+    if args.video is not None or args.view:
+        from integration.recording import Recording
+        from integration.worlds import scene_of
+
+        if args.video is not None:
+            recording = Recording(scene_of(world), args.video)
+            watchers.append(recording)
+        if args.view:
+            from integration.viewer import Window
+
+            window = Window(scene_of(world))
+            watchers.append(window)
+
+    def watch(simulator: Any) -> None:
+        for watcher in watchers:
+            watcher(simulator)
+
+    try:
+        yield watch if watchers else None
+    except BaseException:
+        if recording is not None:
+            recording.abandon()
+        raise
+    if recording is not None:
+        recording.close()
+    if window is not None:
+        print("close the window to go on", file=sys.stderr)
+        window.wait()
+
+
+def _expected() -> tuple[type[BaseException], ...]:
+    """The errors that are told in one line; imported late, so that the command starts fast."""
+    from grounding.errors import GroundingError
+    from integration.errors import IntegrationError
+    from motion.errors import MotionError
+
+    return GroundingError, IntegrationError, MotionError, OSError
+
+
+if __name__ == "__main__":
+    sys.exit(main())

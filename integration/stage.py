@@ -1,0 +1,196 @@
+"""The stage on which an instruction is carried out: one simulation, its clock, and the list of steps taken."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
+from types import TracebackType
+from typing import Any, Protocol
+
+import numpy as np
+
+import motion
+from integration.checks import HELD_FOR, drifts
+from integration.errors import NoPlan
+from integration.report import Handled, Step
+from motion import MotionError, Plan, Scene, Simulator
+
+Watch = Callable[[Simulator], None]
+
+_SETTLING = 1.0
+_STABLE = 0.010
+_WATCHED = 0.5
+_SAMPLE = 10
+
+
+class Planner(Protocol):
+    """What plans motions; the package `motion` is one."""
+
+    def plan_pick(self, scene: Scene, target: str, **options: Any) -> Plan:
+        """A plan that ends with the box in the hand."""
+
+    def plan_place(self, scene: Scene, target: str, position: Any, **options: Any) -> Plan:
+        """A plan that ends with the box at `position` and the arm at home."""
+
+
+class Stage:
+    """A simulation in progress.
+
+    Args:
+        scene: what stands around the robot.
+        seed: of all chance.
+        planner: where plans come from.
+        watch: called after every step of physics, for videos and viewers.
+
+    Attributes:
+        simulator: where everything is.
+        steps: taken so far.
+        handled: what was done so far.
+    """
+
+    def __init__(self, scene: Scene, seed: int, planner: Planner | None = None, watch: Watch | None = None) -> None:
+        self.steps: list[Step] = []
+        self.handled: list[Handled] = []
+        self._rng = np.random.default_rng(seed)
+        self._planner: Any = motion if planner is None else planner
+        self._watch = watch
+        self._given = scene
+        with self._timed("build the scene"):
+            self.simulator = Simulator(scene)
+
+    def __enter__(self) -> Stage:
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        self.simulator.close()
+
+    @property
+    def scene(self) -> Scene:
+        """Everything where it is now."""
+        return self.simulator.scene()
+
+    def settle(self, objects: tuple[str, ...]) -> None:
+        """Lets everything come to rest as the world was given.
+
+        Raises:
+            NoPlan: one of `objects` does not stay where the world says it is.
+        """
+        start = self.simulator.time
+        with self._timed("settle") as step:
+            self.simulator.settle(_SETTLING)
+            step["simulated"] = self.simulator.time - start
+        moved = drifts(self._given, self.scene)
+        for name in objects:
+            if moved.get(name, 0.0) > _STABLE:
+                raise NoPlan(
+                    f"{name} does not rest where the world says it is, it moved by {1000 * moved[name]:.0f} mm on its "
+                    "own; a world needs a table under its objects, and none in another",
+                    (name,),
+                    "unstable",
+                )
+
+    def plan_pick(self, name: str, arm: str, **options: Any) -> Plan:
+        """A plan to pick an object up from where everything is now.
+
+        Raises:
+            NoPlan: with motion's reason.
+        """
+        options = {"scene": self.scene, "start": self.simulator.state(), **options}
+        scene = options.pop("scene")
+        with self._timed(f"plan the pick of {name}"), _refusals(name):
+            plan: Plan = self._planner.plan_pick(scene, name, arm=arm, rng=self._rng, **options)
+        return plan
+
+    def plan_place(self, name: str, position: np.ndarray, arm: str) -> Plan:
+        """A plan to set an object down at `position`, (3,) of its centre in [m].
+
+        Raises:
+            NoPlan: with motion's reason.
+        """
+        with self._timed(f"plan the place of {name}"), _refusals(name):
+            plan: Plan = self._planner.plan_place(
+                self.scene, name, position, arm=arm, start=self.simulator.state(), rng=self._rng
+            )
+        return plan
+
+    def execute(self, plan: Plan, action: str, name: str) -> None:
+        """Carries a plan out and notes its phases."""
+        ticks: list[float] = [time.perf_counter()]
+
+        def tick(simulator: Simulator) -> None:
+            ticks.append(time.perf_counter())
+            if self._watch is not None:
+                self._watch(simulator)
+
+        execution = self.simulator.execute(plan, tick)
+        before, simulated = 0, 0.0
+        for phase in execution.phases:
+            simulated += phase.duration
+            after = round(simulated / max(execution.duration, 1e-9) * (len(ticks) - 1))
+            self.steps.append(Step(phase.name, ticks[after] - ticks[before], phase.duration))
+            before = after
+        if plan.goal is not None:
+            x, y, z = (float(value) for value in plan.goal.position)
+            self.handled.append(Handled(action, name, plan.arm, (x, y, z)))
+
+    def keep_still(self, holding: Mapping[str, str]) -> Mapping[str, float]:
+        """Lets two seconds pass and watches whether objects stay in hands.
+
+        Args:
+            holding: arms by the objects that they should hold.
+
+        Returns:
+            for how many seconds, up to the end, each object was in its hand without a break.
+        """
+        start = self.simulator.time
+        since: dict[str, float | None] = dict.fromkeys(holding, start)
+        count = 0
+
+        def look(simulator: Simulator) -> None:
+            nonlocal count
+            count += 1
+            if count % _SAMPLE == 0:
+                for name, arm in holding.items():
+                    kept = name in simulator.holding(arm)
+                    since[name] = (since[name] if since[name] is not None else simulator.time) if kept else None
+            if self._watch is not None:
+                self._watch(simulator)
+
+        with self._timed("keep still") as step:
+            self.simulator.hold(HELD_FOR, look)
+            step["simulated"] = self.simulator.time - start
+        end = self.simulator.time
+        return {name: 0.0 if begun is None else round(end - begun, 6) for name, begun in since.items()}
+
+    def watch_rest(self) -> Mapping[str, float]:
+        """Lets everything come to rest, then half a second pass; how far each object moved in the latter, in [m]."""
+        start = self.simulator.time
+        with self._timed("come to rest") as step:
+            self.simulator.hold(_WATCHED, self._watch)
+            earlier = self.scene
+            self.simulator.hold(_WATCHED, self._watch)
+            step["simulated"] = self.simulator.time - start
+        return drifts(earlier, self.scene)
+
+    @contextmanager
+    def _timed(self, name: str) -> Iterator[dict[str, float]]:
+        """Notes a step with its time, also where it fails."""
+        simulated = {"simulated": 0.0}
+        start = time.perf_counter()
+        try:
+            yield simulated
+        finally:
+            self.steps.append(Step(name, time.perf_counter() - start, simulated["simulated"]))
+
+
+@contextmanager
+def _refusals(name: str) -> Iterator[None]:
+    """Turns motion's refusals to plan into `NoPlan`."""
+    try:
+        yield
+    except MotionError as error:
+        notes = getattr(error, "__notes__", [])
+        raise NoPlan("; ".join([str(error), *notes]), (name,), type(error).__name__) from error
