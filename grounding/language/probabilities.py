@@ -87,10 +87,12 @@ class Probabilities:
 
     def _label_probability(self, state: State, child: Symbol) -> float:
         label, object_label = split_label(child.label)
-        chance = self._labels.probability(_label_contexts(state, child.tag), label, self._base(child))
+        chance = self._labels.probability(
+            _label_contexts(state, child.tag), label, self._base(Symbol(child.tag, label))
+        )
         if object_label:
             contexts = _object_contexts(state, label)
-            chance *= self._objects.probability(contexts, object_label, self._base(Symbol(OBJECT, "")))
+            chance *= self._objects.probability(contexts, object_label, self._base(Symbol(OBJECT, object_label)))
         return chance
 
     def stop_probability(self, state: State) -> float:
@@ -100,13 +102,22 @@ class Probabilities:
     def share(self, symbol: Symbol) -> float:
         """How common a constituent is among all constituents with its kind of tag; for pruning."""
         label, object_label = split_label(symbol.label)
-        chance = self._labels.probability(((symbol.tag,),), label, self._base(symbol)) * self._tag_share[symbol.tag]
+        chance = (
+            self._labels.probability(((symbol.tag,),), label, self._base(Symbol(symbol.tag, label)))
+            * self._tag_share[symbol.tag]
+        )
         if object_label:
-            chance *= self._objects.probability(((OBJECT,),), object_label, self._base(Symbol(OBJECT, "")))
+            chance *= self._objects.probability(((OBJECT,),), object_label, self._base(Symbol(OBJECT, object_label)))
         return chance
 
     def _base(self, symbol: Symbol) -> float:
-        return 1.0 / (1.0 + self._label_kinds.get(symbol.tag, 0))
+        """P(label | tag) before labels are counted: the tag of the label's word, then that word or its being rare."""
+        label_tag, _, word = symbol.label.partition(":")
+        kinds = self._label_words.get(label_tag, 0)
+        chance = self._label_tags.probability(((symbol.tag,),), label_tag, 1.0 / (1.0 + len(self._label_words)))
+        if word and not word.startswith("~"):
+            return chance / (1.0 + kinds)
+        return chance * self._rare_share.get(label_tag, 1.0 / (1.0 + kinds))
 
     @cached_property
     def _tag_share(self) -> Mapping[str, float]:
@@ -120,13 +131,30 @@ class Probabilities:
         return {tag: (counts[tag] + 0.5) / (most + 0.5) for tag in sorted(tags)}
 
     @cached_property
-    def _label_kinds(self) -> Mapping[str, int]:
-        kinds = set()
-        for event in self.grammar.children:
+    def _rare_share(self) -> Mapping[str, float]:
+        """Tag -> which share of its words is rare."""
+        counts: Counter[str] = Counter()
+        for row in self.grammar.words.counts.values():
+            counts.update(row)
+        seen = self.grammar.words.words_seen
+        return {tag: min(1.0, seen * mass / (counts[tag] + 1)) for tag, mass in self.grammar.words.rare_mass.items()}
+
+    @cached_property
+    def _label_words(self) -> Mapping[str, int]:
+        """Tag -> how many labels have it."""
+        labels = {part for event in self.grammar.children for part in split_label(event.child_label) if part}
+        return Counter(label.partition(":")[0] for label in sorted(labels))
+
+    @cached_property
+    def _label_tags(self) -> BackOff:
+        events = []
+        for event, count in self.grammar.children.items():
             label, object_label = split_label(event.child_label)
-            kinds.add((event.child_tag, label))
-            kinds.add((OBJECT, object_label))
-        return Counter(tag for tag, _ in sorted(kinds))
+            if label:
+                events.append((((event.child_tag,),), label.partition(":")[0], count))
+            if object_label:
+                events.append((((OBJECT,),), object_label.partition(":")[0], count))
+        return BackOff(events, _LABEL_NOVELTY)
 
     @cached_property
     def _heads(self) -> BackOff:

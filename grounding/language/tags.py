@@ -114,7 +114,7 @@ class TagModel:
         return {tag: log(mixed[tag] / (total + weight)) for tag in sorted(mixed)}
 
     def log_emission(self, word: str, tag: str, log_probability: float) -> float:
-        """Log P(word | tag) for a word that is rare with this tag, by Bayes' rule.
+        """Log P(word | tag) for a word that is rare with this tag, by Bayes' rule; at most 0.
 
         Args:
             word: the word.
@@ -122,7 +122,7 @@ class TagModel:
             log_probability: its log P(tag | word).
         """
         frequency = (sum(self.counts.get(word, {}).values()) + 0.5) / (self.words_seen + 1.0)
-        return log_probability + log(frequency) - log(self.rare_mass[tag])
+        return min(0.0, log_probability + log(frequency) - log(self.rare_mass[tag]))
 
     def _by_shape(self, word: str) -> dict[str, float]:
         """P(tag) of a word never seen, from its shape and its ending."""
