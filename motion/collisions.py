@@ -112,6 +112,8 @@ class CollisionChecker:
         self._mine = robot.copy()
         if held is not None:
             self._mine[self._indices.box_geoms[held]] = True
+        # The broad phase has margins of its own, per body, which compiling would have set.
+        self._model.body_margin[np.unique(self._model.geom_bodyid[self._mine])] = CLEARANCE
         self._boxes = ~robot
         self._tables: dict[Rules, Array] = {}
         self._site = int(self._model.site(f"{arm}_tool").id)

@@ -39,6 +39,7 @@ class SceneModel:
         bodies: name of the body or box of each geom; the floor is "floor".
         robot_geoms: (ngeom,) True for the robot's geoms.
         hand_geoms: (ngeom,) True for the geoms of an arm's gripper, by arm.
+        finger_geoms: (2, ngeom) True for the geoms of an arm's left and right finger, by arm.
     """
 
     def __init__(self, model: Any, boxes: Iterable[Box]) -> None:
@@ -65,6 +66,11 @@ class SceneModel:
         self.robot_geoms = np.array([i not in boxed and name != "floor" for i, name in enumerate(self.bodies)])
         self.hand_geoms = {
             arm: np.array([self.robot_geoms[i] and _of_hand(name, arm) for i, name in enumerate(self.bodies)])
+            for arm in ARMS
+        }
+
+        self.finger_geoms = {
+            arm: np.array([[n.startswith(f"{arm[0]}_gripper_{side}_finger") for n in self.bodies] for side in "lr"])
             for arm in ARMS
         }
 

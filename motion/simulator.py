@@ -29,6 +29,7 @@ _INTEGRAL_RATE = 4.0
 _INTEGRAL_BOUND = 0.03
 _OBSERVE_EVERY = 5
 _STILL = 2e-3
+_TOUCHING = 1e-4
 
 StepCallback = Callable[["Simulator"], None]
 
@@ -165,18 +166,17 @@ class Simulator:
     def contacts(self) -> tuple[tuple[str, str], ...]:
         """Pairs of bodies that touch now, sorted; a body is a box, a link of the robot, or "floor"."""
         bodies = self._indices.bodies
-        touching = self._data.contact.geom[np.asarray(self._data.contact.dist) <= 1e-4]
+        touching = self._data.contact.geom[np.asarray(self._data.contact.dist) <= _TOUCHING]
         return tuple(sorted({(min(bodies[a], bodies[b]), max(bodies[a], bodies[b])) for a, b in touching}))
 
     def holding(self, arm: str) -> tuple[str, ...]:
         """Names of the boxes that both fingers of an arm touch."""
-        touched: dict[str, set[str]] = {"l": set(), "r": set()}
-        for pair in self.contacts():
-            for body, other in (pair, pair[::-1]):
-                for side, names in touched.items():
-                    if body.startswith(f"{arm[0]}_gripper_{side}_finger") and other in self._indices.box_qpos:
-                        names.add(other)
-        return tuple(sorted(touched["l"] & touched["r"]))
+        geoms = self._data.contact.geom[np.asarray(self._data.contact.dist) <= _TOUCHING]
+        names: list[set[str]] = []
+        for finger in self._indices.finger_geoms[arm]:
+            others = np.concatenate([geoms[finger[geoms[:, 0]], 1], geoms[finger[geoms[:, 1]], 0]])
+            names.append({self._indices.bodies[geom] for geom in others})
+        return tuple(sorted(name for name in names[0] & names[1] if name in self._indices.box_qpos))
 
     def copy_positions(self, data: Any) -> None:
         """Writes all positions into the MjData of another model of the same scene, such as the one that is rendered."""
