@@ -126,7 +126,7 @@ def others_unmoved(before: Scene, after: Scene, moved: Iterable[str]) -> Check:
 
 
 def gathered(found: Sequence[Check]) -> tuple[tuple[Check, int], ...]:
-    """Checks for people: of those that several objects passed, the nearest to failing, with the number it speaks for."""
+    """Checks for people: of those that several objects passed, the nearest to failing, and how many it speaks for."""
     shown: list[tuple[Check, int]] = []
     for name in dict.fromkeys(check.name for check in found):
         alike = [check for check in found if check.name == name]
@@ -143,7 +143,8 @@ def drifts(earlier: Scene, later: Scene) -> Mapping[str, float]:
 
 
 def _distance(scene: Scene, name: str, point: ArrayLike) -> float:
-    return float(np.linalg.norm(scene.box(name).position - np.asarray(point, dtype=float)))
+    distance = float(np.linalg.norm(scene.box(name).position - np.asarray(point, dtype=float)))
+    return distance if math.isfinite(distance) else math.inf
 
 
 def _most(name: str, subject: str, measured: float, limit: float, unit: str, meaning: str) -> Check:

@@ -7,7 +7,7 @@ from PIL import Image
 
 from grounding.pictures import Canvas, Mark, Row, Sheet, mark_rows, marks_of
 from grounding.pictures.outlines import corners_of
-from grounding.pictures.overlay import draw_areas, draw_destinations, draw_marks
+from grounding.pictures.overlay import draw_destinations, draw_marks
 from grounding.pictures.palette import INK, PAPER
 from grounding.result import Grounding
 from grounding.world import FURNITURE, World
@@ -18,7 +18,7 @@ from motion import Renderer, Scene, Simulator
 from motion.rendering import Camera
 
 WIDTH, HEIGHT = 1280, 760
-CAMERA = Camera(np.array([2.05, 0.0, 1.86]), np.array([0.46, 0.0, 0.84]), 37.0)
+CAMERA = Camera(np.array([2.12, 0.0, 1.90]), np.array([0.46, 0.0, 0.87]), 40.0)
 
 
 def understood_view(grounding: Grounding, world: World) -> Image.Image:
@@ -62,7 +62,6 @@ def _view(
         below = np.array([0.0, top])
         corners = {name: points + below for name, points in corners.items()}
         sheet.canvas.paste(Image.fromarray(photo), (0, top))
-        draw_areas(sheet.canvas, marks, corners)
         draw_marks(sheet.canvas, marks, corners)
         draw_destinations(sheet.canvas, marks, corners, lambda points: renderer.project(points, CAMERA) + below)
     _sides(sheet.canvas, sheet.body)
