@@ -18,7 +18,7 @@ from motion.recipe import recipe
 from motion.robot import load_robot
 from motion.scene import Box, Scene
 from motion.state import RobotState
-from motion.timing import KNOT_SPACINGS, Trajectory, check_limits, rest, timed
+from motion.timing import KNOT_SPACINGS, LINE_SPACING, Trajectory, check_limits, rest, timed
 
 APPROACH = 0.08
 BRIEF, THOROUGH = 40, 400
@@ -32,6 +32,7 @@ _CLOSING_TIME = 0.4
 _OPENING_TIME = 0.3
 _HOLDING_TIME = 0.2
 _RESTARTS = 4
+_LINES = ("approach", "lift", "lower", "retreat")
 
 
 class Attempt:
@@ -99,6 +100,7 @@ class Attempt:
         tool = self._robot.tool_pose(self.arm, self.joints)
         assert self.target is not None
         self.grip = tool.inverse() @ self.scene.box(self.target).pose
+        self.width = self._held_width() - recipe().gripper.squeeze
         self.taken = True
 
     def check_put(self, grasp: Grasp, goals: list[tuple[Box, str]]) -> None:
@@ -154,7 +156,7 @@ class Attempt:
         held = self.state.held.get(self.arm)
         if held is not None:
             self.already_holding()
-        checker = self._checker(width=self.width, held=held, grip=self.grip)
+        checker = self._checker(width=self.state.widths[self.arm], held=held, grip=self.grip)
         if checker.nearest(self.joints, Rules()) is not None:
             tool = self._robot.tool_pose(self.arm, self.joints)
             touching = Rules(
@@ -257,7 +259,7 @@ class Attempt:
         arm = self._robot.arm(self.arm)
         speed = recipe().carrying_speed if self.taken else 1.0
         near: Near | None = None
-        for spacing in KNOT_SPACINGS if len(path) > 2 else KNOT_SPACINGS[-1:]:
+        for spacing in (LINE_SPACING,) if name in _LINES else KNOT_SPACINGS:
             trajectory = timed(path, arm.limits, speed, spacing)
             check_limits(trajectory, arm.joints, arm.lower, arm.upper, arm.limits)
             near = checker.first_conflict(_thinned(trajectory.positions), rules)

@@ -153,6 +153,8 @@ def _compiled(keys: tuple[_Key, ...], visuals: bool) -> SceneModel:
             size=box.size / 2,
             rgba=box.color,
             friction=contact["box_friction"],
+            solref=contact["box_solref"],
+            solimp=contact["box_solimp"],
             **(place if box.fixed else {"mass": box.mass}),
         )
     if visuals:

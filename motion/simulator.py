@@ -7,6 +7,7 @@ held block.
 
 from __future__ import annotations
 
+import copy
 from collections.abc import Callable
 from dataclasses import dataclass
 from types import TracebackType
@@ -94,6 +95,9 @@ class Simulator:
         self._indices = scene_model(scene)
         self._model: Any = self._indices.model
         self._data: Any = mujoco.MjData(self._model)
+        self._awake: Any = copy.copy(self._model)
+        self._awake.opt.enableflags = 0
+        self._scratch: Any = mujoco.MjData(self._awake)
         state = RobotState.home() if state is None else state
         self._indices.write_boxes(self._data, scene)
         self._indices.write_robot(self._data, state)
@@ -117,7 +121,7 @@ class Simulator:
 
     def close(self) -> None:
         """Gives the memory back; the simulator cannot be used afterwards."""
-        self._data = None
+        self._data = self._scratch = None
 
     # What can be observed.
 
@@ -165,8 +169,12 @@ class Simulator:
 
     def contacts(self) -> tuple[tuple[str, str], ...]:
         """Pairs of bodies that touch now, sorted; a body is a box, a link of the robot, or "floor"."""
-        bodies = self._indices.bodies
-        touching = self._data.contact.geom[np.asarray(self._data.contact.dist) <= _TOUCHING]
+        # What sleeps has no contacts in the simulation itself, so they are found anew, without sleep.
+        bodies, scratch = self._indices.bodies, self._scratch
+        scratch.qpos[:] = self._data.qpos
+        mujoco.mj_kinematics(self._awake, scratch)
+        mujoco.mj_collision(self._awake, scratch)
+        touching = scratch.contact.geom[np.asarray(scratch.contact.dist) <= _TOUCHING]
         return tuple(sorted({(min(bodies[a], bodies[b]), max(bodies[a], bodies[b])) for a, b in touching}))
 
     def holding(self, arm: str) -> tuple[str, ...]:
@@ -203,7 +211,7 @@ class Simulator:
                     f"the plan begins {gap:.3f} rad from where the {arm} arm is; plan with start=simulator.state()",
                     plan.target,
                 )
-        records = tuple(self._run(plan.arm, plan.target, phase, on_step) for phase in plan.phases)
+        records = tuple(self.run_phase(plan.arm, plan.target, phase, on_step) for phase in plan.phases)
         return Execution(records, self.holding(plan.arm))
 
     def hold(self, seconds: float, on_step: StepCallback | None = None) -> None:
@@ -224,9 +232,20 @@ class Simulator:
         self._check()
         return not dofs or bool(np.max(np.abs(self._data.qvel[dofs])) < _STILL)
 
-    # How.
+    def run_phase(
+        self, arm: str, target: str | None, phase: Phase, on_step: StepCallback | None = None
+    ) -> PhaseRecord:
+        """Carries out one phase of a plan, which begins where the robot is now.
 
-    def _run(self, arm: str, target: str | None, phase: Phase, on_step: StepCallback | None) -> PhaseRecord:
+        Args:
+            arm: the plan's arm.
+            target: the plan's target.
+            phase: the phase.
+            on_step: as for `execute`.
+
+        Raises:
+            SimulationDiverged: the physics broke down.
+        """
         trajectory = phase.trajectory
         steps = len(trajectory.positions) - 1
         before, error = self._width[arm], 0.0
@@ -244,6 +263,8 @@ class Simulator:
         return PhaseRecord(
             phase.name, steps * trajectory.period, error, self.gripper_width(arm), tuple(sorted(contacts))
         )
+
+    # How.
 
     def _command(self, moving: str | None, velocity: Array, acceleration: Array) -> None:
         """Writes the set points of both arms, both grippers and the head."""

@@ -56,7 +56,7 @@ def test_what_is_too_far_says_so():
 
 def test_a_joint_at_its_end_is_named():
     with pytest.raises(UnreachableTarget, match="left_s0") as caught:
-        solve_ik("left", Pose.of(DOWN, (0.45, -0.52, 0.74)))
+        solve_ik("left", Pose.of(DOWN, (0.45, -0.42, 0.8)))
     assert caught.value.reason == "joint limit"
     assert "left_s0" in caught.value.joints
 
