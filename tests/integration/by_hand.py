@@ -18,7 +18,9 @@ def grounded(kind: str, *objects: str, to: Destination | None = None, text: str 
     return Grounding(text, "grounded", (GroundedAction(kind, objects, 0.9, to),))
 
 
-def phrase(text: str, tag: str, words: tuple[int, int], depth: int, *groundings: tuple[Symbol, float]) -> PhraseGrounding:
+def phrase(
+    text: str, tag: str, words: tuple[int, int], depth: int, *groundings: tuple[Symbol, float]
+) -> PhraseGrounding:
     return PhraseGrounding(text, tag, words, depth, groundings)
 
 

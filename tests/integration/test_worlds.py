@@ -45,9 +45,4 @@ def test_observed_poses_become_a_world():
     assert after["b2"].orientation == pytest.approx(turned)
     assert after["b2"].color == world["b2"].color
     assert after["b1"] is world["b1"]
-    assert world_at(world, {name: box.pose for name, box in zip(*_boxes(world), strict=True)}).by_id.keys() == world.by_id.keys()
-
-
-def _boxes(world):
-    built = scene_of(world)
-    return built.names, built.boxes
+    assert world_at(world, {box.name: box.pose for box in scene_of(world).boxes}).by_id.keys() == world.by_id.keys()
