@@ -17,7 +17,18 @@ from typing import Any
 
 import numpy as np
 
-from motion import Box, MotionError, RobotState, Scene, Simulator, plan_pick, plan_place
+from motion import (
+    Box,
+    MotionError,
+    RobotState,
+    Scene,
+    Simulator,
+    UnreachableTarget,
+    grasp_candidates,
+    plan_pick,
+    plan_transport,
+    solve_ik,
+)
 from motion.outlines import overlap
 from motion.poses import Pose, about, quaternion
 
@@ -49,6 +60,7 @@ def run(episodes: int, seed: int) -> dict[str, Any]:
     """Plans and simulates; the report."""
     report: dict[str, Any] = {}
     for kind in ("pick", "place"):
+        handed_over = 0
         planning, errors, turned, bystanders, durations, clock = [], [], [], [], [], []
         reasons: Counter[str] = Counter()
         outcomes: Counter[str] = Counter()
@@ -62,23 +74,29 @@ def run(episodes: int, seed: int) -> dict[str, Any]:
             begin = time.perf_counter()
             try:
                 if kind == "pick":
-                    plan = plan_pick(scene, target.name, rng=rng)
+                    plans = (plan_pick(scene, target.name, rng=rng),)
                 else:
-                    plan = plan_place(scene, target.name, goal, rng=rng)
+                    plans = plan_transport(scene, target.name, goal, rng=rng)
             except MotionError as error:
-                reasons[type(error).__name__] += 1
-                outcomes["not planned"] += 1
-                failures.append({"episode": episode, "target": target.name, "error": str(error)[:300]})
                 planning.append(time.perf_counter() - begin)
+                reasons[type(error).__name__] += 1
+                places = [target.pose] if kind == "pick" else [target.pose, Pose(goal, target.orientation)]
+                reachable = all(_reached(scene, target, place) for place in places)
+                outcomes["not planned, reachable" if reachable else "not planned, out of reach"] += 1
+                failures.append({"episode": episode, "target": target.name, "error": str(error)[:300]})
                 continue
             planning.append(time.perf_counter() - begin)
+            handed_over += len(plans) == 2
+            plan, contacts = plans[-1], []
+            after = 2.0 if kind == "pick" else 0.5
             begin = time.perf_counter()
             with Simulator(scene, RobotState.home()) as simulator:
-                execution = simulator.execute(plan)
-                simulator.hold(2.0 if kind == "pick" else 0.5)
+                for part in plans:
+                    contacts += simulator.execute(part).contacts
+                simulator.hold(after)
                 poses = simulator.poses()
                 held = target.name in simulator.holding(plan.arm)
-            clock.append((time.perf_counter() - begin) / (plan.duration + (2.0 if kind == "pick" else 0.5)))
+                clock.append((time.perf_counter() - begin) / simulator.time)
             assert plan.goal is not None
             error_m, error_rad = poses[target.name].distance(plan.goal)
             others = max(
@@ -88,18 +106,19 @@ def run(episodes: int, seed: int) -> dict[str, Any]:
             errors.append(1000 * error_m)
             turned.append(error_rad)
             bystanders.append(1000 * others)
-            durations.append(plan.duration)
-            good = error_m <= 0.005 and others <= 0.005 and not execution.contacts and held == (kind == "pick")
+            durations.append(sum(part.duration for part in plans))
+            good = error_m <= 0.005 and others <= 0.005 and not contacts and held == (kind == "pick")
             outcomes["success" if good else "failed"] += 1
             if not good:
                 failures.append(
                     {"episode": episode, "target": target.name, "error_mm": 1000 * error_m, "bystanders_mm": 1000 *
-                     others, "contacts": execution.contacts, "held": held}
+                     others, "contacts": contacts, "held": held}
                 )  # fmt: skip
         report[kind] = {
             "episodes": episodes,
             "outcomes": dict(outcomes),
-            "success_rate": outcomes["success"] / episodes,
+            "success_rate": outcomes["success"] / max(1, episodes - outcomes["not planned, out of reach"]),
+            "handed_over": handed_over,
             "errors": dict(reasons),
             "planning_ms": _summary(1000 * np.array(planning)),
             "position_error_mm": _summary(np.array(errors)),
@@ -110,6 +129,18 @@ def run(episodes: int, seed: int) -> dict[str, Any]:
             "failures": failures,
         }
     return report
+
+
+def _reached(scene: Scene, target: Box, place: Pose) -> bool:
+    """Whether some hand would reach some grasp of the box at that place if nothing stood around it."""
+    alone = Scene((target.at(place),))
+    for grasp in grasp_candidates(alone, target.name):
+        try:
+            solve_ik(grasp.arm, grasp.tool)
+        except UnreachableTarget:
+            continue
+        return True
+    return False
 
 
 def _any_face(rng: np.random.Generator) -> np.ndarray:

@@ -16,23 +16,25 @@ floor under Baxter's base, x away from the robot, y to its left, z up; metres, r
 
 What there is:
 
-- Values: `Box(name, position, orientation, size, color, mass, fixed)`, `Scene(boxes)` with `box(name)`, `moved(poses)`,
+- Values: `Box(name, position, orientation, size, color, mass, fixed)`; `Scene(boxes)` with `box(name)`, `moved(poses)`,
   `boxes_above(name)`, `resting_position(name, xy)`; `Pose(position, orientation)`; `RobotState(left, right, widths,
-  held)`, `RobotState.home()`.
-- `plan_pick(scene, target, *, arm, start, rng, lift)`, `plan_place(scene, target, position, *, yaw, arm, start, rng)`,
-  `plan_home(scene, *, arm, start, rng)`: each a `Plan(kind, arm, target, phases, grasp, goal, start, end)`, verified
-  as a whole before it is returned. A `Phase` has `name`, `trajectory` (`Trajectory(period, positions, velocities,
-  accelerations)`), `gripper` (commanded width at its end, metres) and `duration`. Phases of a pick: home, pregrasp,
-  approach, close, lift, hold; of a place: home, pregrasp, approach, close, lift, transfer, lower, open, retreat, home.
-  The `start` of a plan is where the robot is (default: home); a block already held (`start.held`) is placed without
-  picking it again.
-- `Simulator(scene, state=None)`: `execute(plan, on_step=None) -> Execution`, `hold(seconds, on_step=None)`,
-  `settle(seconds=2.0)`, `poses()`, `scene()` (as it is now, for the next plan), `state()` (a `RobotState`, ditto),
-  `gripper_width(arm)`, `holding(arm)`, `contacts()`, `tracking_error(arm)`, `time`.
+  held)` with `RobotState.home()`.
+- `plan_pick(scene, target, *, arm, start, rng, lift)`, `plan_place(scene, target, position, *, yaw, arm, start, rng)`
+  and `plan_home(scene, *, arm, start, rng)`: each a `Plan(kind, arm, target, phases, grasp, goal, start, end)`,
+  verified as a whole before it is returned. A `Phase` has `name`, `trajectory`, `gripper` (commanded width at its
+  end), `held` and `duration`. Phases of a pick: home, pregrasp, approach, close, lift, hold; of a place: home,
+  pregrasp, approach, close, lift, transfer, lower, open, retreat, home. The `start` of a plan is where the robot is
+  (default: home); a block already held (`start.held`) is placed without picking it again: transfer, lower, open,
+  retreat, home.
+- `plan_transport(...)`, like `plan_place`, gives one plan or, where no single hand reaches both places, two: one hand
+  sets the box down in the middle, the other takes it on.
+- `Simulator(scene, state=None)`: `execute(plan, on_step=None)` gives an `Execution` (`phases`, `holding`, `contacts`,
+  `tracking_error`, `duration`); `hold(seconds, on_step=None)`, `settle(seconds=2.0)`; `poses()`, `scene()` (as it is
+  now, for the next plan), `state()` (a `RobotState`, ditto), `gripper_width(arm)`, `holding(arm)`, `contacts()`,
+  `tracking_error(arm)`, `joints(arm)`, `tool_pose(arm)`, `time`.
 - `Renderer(scene, width, height)`: `render(simulator=None, camera="front", markers=())` gives (height, width, 3) uint8;
-  `project(points, camera)` gives pixels for labels; cameras "front", "robot", "top", "side"; `Marker(position, size,
-  color, shape)`. Both Simulator and Renderer are context managers. `rendering_available()` says whether OpenGL can be
-  started.
+  `project(points, camera)` gives pixels for labels; cameras "front", "robot", "top", "side", or a `Camera` of one's
+  own; `Marker(position, size, color, shape)`. `rendering_available()` says whether OpenGL can be started.
 - `solve_ik`, `grasp_candidates`, `load_robot`: the steps by themselves.
 - Errors: all below `MotionError`; see `motion/errors.py`.
 """
@@ -53,19 +55,27 @@ from motion.errors import (
     UnknownBody,
     UnreachableTarget,
 )
+from motion.grasps import Grasp, grasp_candidates
+from motion.ik import IkSolution, solve_ik
 from motion.planner import plan_home, plan_pick, plan_place
 from motion.plans import Phase, Plan
 from motion.poses import Pose
-from motion.rendering import Marker, Renderer, rendering_available
+from motion.rendering import CAMERAS, Camera, Marker, Renderer, rendering_available
+from motion.robot import Robot, load_robot
 from motion.scene import Box, Scene
 from motion.simulator import Execution, PhaseRecord, Simulator
 from motion.state import RobotState
 from motion.timing import Trajectory
+from motion.transport import plan_transport
 
 __all__ = [
+    "CAMERAS",
     "Box",
+    "Camera",
     "Execution",
+    "Grasp",
     "GraspUnavailable",
+    "IkSolution",
     "InvalidGoal",
     "InvalidScene",
     "LimitViolation",
@@ -79,6 +89,7 @@ __all__ = [
     "Pose",
     "Renderer",
     "RenderingUnavailable",
+    "Robot",
     "RobotState",
     "RobotUnavailable",
     "Scene",
@@ -87,8 +98,12 @@ __all__ = [
     "Trajectory",
     "UnknownBody",
     "UnreachableTarget",
+    "grasp_candidates",
+    "load_robot",
     "plan_home",
     "plan_pick",
     "plan_place",
+    "plan_transport",
     "rendering_available",
+    "solve_ik",
 ]

@@ -139,9 +139,7 @@ def plan_home(
     return attempt.finished("home", None)
 
 
-def _rounds(
-    scene: Scene, target: str, arms: tuple[str, ...], failures: Failures
-) -> Iterator[tuple[int, list[Grasp]]]:
+def _rounds(scene: Scene, target: str, arms: tuple[str, ...], failures: Failures) -> Iterator[tuple[int, list[Grasp]]]:
     """Grasps to try, with the bound of each search for a path.
 
     First all of them, then the obstructed ones with the fingers opened less, at last those that only lacked a path.

@@ -232,9 +232,7 @@ class Simulator:
         self._check()
         return not dofs or bool(np.max(np.abs(self._data.qvel[dofs])) < _STILL)
 
-    def run_phase(
-        self, arm: str, target: str | None, phase: Phase, on_step: StepCallback | None = None
-    ) -> PhaseRecord:
+    def run_phase(self, arm: str, target: str | None, phase: Phase, on_step: StepCallback | None = None) -> PhaseRecord:
         """Carries out one phase of a plan, which begins where the robot is now.
 
         Args:

@@ -2,8 +2,8 @@ import itertools
 
 import numpy as np
 import pytest
-from conftest import TABLE, TOP, block
 
+from conftest import TABLE, TOP, block
 from motion import Box, InvalidGoal, Scene, UnknownBody
 from motion.grasps import TILTS, grasp_candidates
 from motion.poses import about, quaternion
@@ -49,9 +49,7 @@ def test_paddles_close_on_faces_and_stay_above_the_table():
             assert np.max(np.abs(closing @ scene.box("b").axes)) == pytest.approx(1)
             approach, across = grasp.tool.rotation[:, 2], grasp.tool.rotation[:, 0]
             assert approach[2] < -np.cos(np.radians(31))
-            lowest = min(
-                (grasp.tool.position + 0.0035 * approach + side * 0.021 * across)[2] for side in (-1, 1)
-            )
+            lowest = min((grasp.tool.position + 0.0035 * approach + side * 0.021 * across)[2] for side in (-1, 1))
             assert lowest > TOP + 0.003
             assert edge < grasp.opening <= recipe().gripper.opened
 

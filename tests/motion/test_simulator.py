@@ -1,7 +1,7 @@
 import numpy as np
 import pytest
-from conftest import TABLE, TOP, block
 
+from conftest import TABLE, TOP, block
 from motion import Box, InvalidGoal, RobotState, Scene, Simulator, plan_home, plan_pick, plan_place
 from motion.poses import about, quaternion
 
