@@ -65,7 +65,7 @@ class Executor:
         Args:
             text: the instruction.
             world: what is around the robot.
-            history: what was said before, the latest last.
+            history: ids of the objects handled before, the latest last.
             watch: called with the simulator after every step of physics.
 
         Raises:
