@@ -28,6 +28,7 @@ unit: $(READY)
 	$(BIN)/pytest
 
 weights: $(READY)
+	$(BIN)/python -m grounding corpus annotate
 	$(BIN)/python -m grounding train
 
 setup: $(READY)

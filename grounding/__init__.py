@@ -16,6 +16,7 @@ from grounding.errors import (
     TreeError,
     WorldError,
 )
+from grounding.grounder import Grounder
 from grounding.result import Destination, GroundedAction, Grounding, PhraseGrounding
 from grounding.world import Viewpoint, World, WorldObject, load_world, load_worlds, make_object, save_world
 
@@ -23,6 +24,7 @@ __all__ = [
     "CorpusError",
     "Destination",
     "GroundedAction",
+    "Grounder",
     "Grounding",
     "GroundingError",
     "LanguageError",

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 from grounding.symbols import Symbol, symbol_json
@@ -112,6 +112,10 @@ class Grounding:
     unknown_words: tuple[str, ...] = ()
     milliseconds: float = 0.0
     phrases: tuple[PhraseGrounding, ...] = field(default=(), repr=False)
+
+    def timed(self, milliseconds: float) -> Grounding:
+        """The same answer with the time it took."""
+        return replace(self, milliseconds=milliseconds)
 
     def to_json(self) -> dict[str, Any]:
         """Plain values, the result format."""

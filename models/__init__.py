@@ -6,3 +6,5 @@ ROOT = Path(__file__).resolve().parent
 SCENES = ROOT / "scenes"
 BAXTER_RECIPE = ROOT / "baxter" / "recipe.json"
 GRAMMAR = ROOT / "grammar.json"
+WEIGHTS = ROOT / "weights"  # .npz and .json
+TREEBANK = ROOT / "treebank"

@@ -11,12 +11,14 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+import models
 from grounding.commands import SUMMARIES
 from grounding.corpus.check import check_corpus
 from grounding.corpus.format import Corpus, worlds_path, write_corpus
 from grounding.corpus.loading import load_corpus
 from grounding.corpus.pretty import Paint, pretty
 from grounding.corpus.rss_world import shifted
+from grounding.corpus.treebank import build_treebank
 from grounding.errors import CorpusError, CorpusErrors
 from grounding.world import save_world
 
@@ -51,13 +53,30 @@ def add_arguments(subparsers: Any) -> None:
     convert.add_argument("--shift", type=_metres, default=0.0, metavar="M",
                          help="move the table and what lies on it along x, in metres, e.g. --shift -0.25")  # fmt: skip
 
+    annotate = verbs.add_parser("annotate", help="annotate gold trees in the shipped scenes and in composed worlds")
+    annotate.add_argument("--trees", type=Path, default=models.TREEBANK, metavar="DIR", help="folder of *.trees files")
+    annotate.add_argument("--worlds", type=_count, default=200, metavar="N", help="so many composed worlds")
+    annotate.add_argument("--seed", type=int, default=1, help="of the worlds and of where each tree is tried")
+    annotate.add_argument("--output", type=Path, default=models.TREEBANK / "treebank.jsonl", metavar="FILE.jsonl")
+
 
 def run(args: argparse.Namespace) -> int:
     """Run the verb that was asked for."""
     verbs: dict[str, Callable[[argparse.Namespace], int]] = {
         "show": _show, "check": _check, "worlds": _worlds, "convert": _convert,
+        "annotate": _annotate,
     }  # fmt: skip
     return verbs[args.verb](args)
+
+
+def _annotate(args: argparse.Namespace) -> int:
+    corpus = build_treebank(args.trees, models.SCENES, args.worlds, args.seed)
+    write_corpus(corpus, args.output)
+    outcomes = Counter(example.outcome for example in corpus.examples)
+    summary = {"sentences": len({e.instruction for e in corpus.examples}), "examples": len(corpus),
+               "outcomes": dict(sorted(outcomes.items())), "worlds": len(corpus.worlds)}  # fmt: skip
+    print(json.dumps(summary))
+    return 0
 
 
 def _count(text: str) -> int:

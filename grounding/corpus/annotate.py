@@ -116,6 +116,8 @@ class _Annotator:
         if len(children) != 2:
             raise NotAnnotatable(f"NP {phrase.text!r}: construction not covered")
         head, modifier = children
+        if "unknown" in (head.sort, modifier.sort):
+            return Meaning("unknown")
         if head.sort == "one":
             return self._one(phrase, head, modifier)
         if head.sort == "many":
@@ -324,6 +326,8 @@ class _Annotator:
                 return Meaning("region", frozenset({region}), region=region, preposition="closest to")
             raise NotAnnotatable(f"PP {phrase.text!r}: construction not covered")
         stands_on = preposition in ("on", "onto", "upon") and child.sort in ("one", "table", "container", "many")
+        if child.sort == "unknown":
+            return child if preposition in _COPYING else Meaning("unknown")
         if preposition in _RELATIONS and (stands_on or preposition not in _COPYING):
             if child.sort == "robot":
                 if preposition not in ("near", "close to"):
@@ -351,6 +355,8 @@ class _Annotator:
                 return replace(told[0], symbols=_passed(told[0]))
             raise NotAnnotatable(f"VP {phrase.text!r}: construction not covered")
         kinds = sorted(s.kind for s in meanings(verbs[0]) if isinstance(s, Action))
+        if any(child.sort == "unknown" for child in told):
+            return Meaning("action", frozenset(Action(kind) for kind in kinds[:1]))
         if not kinds or not told or told[0].sort not in ("one", "many", "container"):
             raise NotAnnotatable(f"VP {phrase.text!r}: no action on objects")
         kind, target = kinds[0], told[0]

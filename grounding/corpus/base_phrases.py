@@ -24,6 +24,10 @@ from grounding.symbols import (
 )
 
 _PLACE_NOUNS = ("side", "end", "edge", "half")
+UNKNOWN_NOUNS = frozenset(
+    "ball balls cup cups bottle bottles pen pens spoon mug hammer apple apples banana sponge toy coin book key shoe "
+    "phone plate glass lamp hat sock marble marbles song".split()
+)
 _IGNORED = ("of", "very", "only", "whole", "entire")
 
 
@@ -43,6 +47,7 @@ class _Words:
     definite: bool = False
     only: bool = False
     robot: bool = False
+    unknown: bool = False
     size: int = 0
 
 
@@ -57,12 +62,14 @@ def annotate_base(phrase: Phrase, layout: Layout, arrangements: tuple[tuple[str,
     said = _sort_words(phrase)
     if said.robot:
         return Meaning("robot", frozenset({Container("robot")}))
+    if said.unknown:
+        return Meaning("unknown", frozenset(_labels(said)))
     if "table" in said.types:
         tables = [item.id for item in layout.world.objects if item.type == "table"]
         if len(tables) != 1 or said.relations or said.colors:
             raise NotAnnotatable(f"NP {phrase.text!r}: which table?")
-        symbols = frozenset({ObjectSymbol(tables[0]), ObjectType("table")})
-        return Meaning("table", symbols, reference=tuple(tables))
+        of_table: set[Symbol] = {ObjectSymbol(tables[0]), ObjectType("table")}
+        return Meaning("table", frozenset(of_table), reference=tuple(tables))
     if len(said.relations) > 1 or len(said.colors) > 1 or len(said.numbers) > 1 or len(said.indices) > 1:
         raise NotAnnotatable(f"NP {phrase.text!r}: two words for the same thing")
     if said.kinds:
@@ -138,6 +145,9 @@ def _sort_symbols(phrase: Phrase, said: _Words, text: str, tag: str, symbols: fr
             case Cardinal(value):
                 said.numbers.append(value)
                 return
+    if tag in ("NN", "NNS") and not symbols and text in UNKNOWN_NOUNS:
+        said.unknown = True
+        return
     raise NotAnnotatable(f"NP {phrase.text!r}: {text!r} is not covered")
 
 

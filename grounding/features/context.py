@@ -60,8 +60,8 @@ def child_facts(scope: Scope) -> list[str]:
         facts += [f"{role}.region of={region.kind}" for region in source.regions]
     if scope.child_sources:
         told = "+".join(f"{role}({_told(source)})" for role, source in scope.child_sources.items())
-        prepositions = ",".join(filter(None, map(_preposition, scope.phrase.phrases)))
-        facts += [f"composed {told}", f"composed {told} by {prepositions}"]
+        joined = ",".join(filter(None, map(_preposition, scope.phrase.phrases)))
+        facts += [f"composed {told}", f"composed {told} by {joined}"]
     head, mod = scope.source("head"), scope.source("mod")
     if head.relations and mod.relations:
         prepositions = [_preposition(c) for c in scope.phrase.phrases if c.tag == "PP"]

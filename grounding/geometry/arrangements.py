@@ -277,7 +277,7 @@ def _spanning_tree(distances: Array) -> list[tuple[float, int, int]]:
 
 def _regularity(gaps: Array) -> float:
     mean = float(np.mean(gaps))
-    return 1.0 if len(gaps) < 2 or mean <= 0 else float(max(0.0, 1.0 - np.std(gaps) / mean))
+    return 1.0 if len(gaps) < 2 or mean <= 0 else float(max(0.0, 1.0 - float(np.std(gaps)) / mean))
 
 
 def _separation(distances: Array, members: np.ndarray, largest_gap: float) -> float:

@@ -1,0 +1,116 @@
+"""From a region to a metric destination: where an object's centre goes so that it is free and supported."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+
+import numpy as np
+
+from grounding.result import Destination
+from grounding.symbols import Region
+from grounding.world import FURNITURE, Array, World, WorldObject
+
+CLEARANCE = 0.03  # free space beside a placed object, so that fingers can leave it [m]
+STEP = 0.01  # of the search for a free place [m]
+MARGIN = 0.02  # from the table's edge [m]
+
+_DIRECTIONS = {"left": (0.0, 1.0), "right": (0.0, -1.0), "back": (1.0, 0.0), "front": (-1.0, 0.0)}
+_BESIDE = ("front", "left", "right", "back")
+
+
+def find_destination(region: Region, moved: Iterable[str], world: World) -> Destination | None:
+    """Where to put the first of some objects.
+
+    Args:
+        region: what the words say.
+        moved: ids of the objects; the first is placed, none of them is in the way.
+        world: as it is.
+
+    Returns:
+        the destination nearest to what the words mean that is free and supported; None where there is none.
+    """
+    names = list(moved)
+    item = world[names[0]]
+    if region.relation == "top" and region.objects and not _furniture(region, world):
+        return _on_top(region, item, names, world)
+    table = _table(world, item)
+    if table is None:
+        return None
+    others = [o for o in world.objects if o.id not in names and o.type not in FURNITURE]
+    height = float(table.position[2] + table.half_extents[2] + item.size[2] / 2)
+    for place in _candidates(region, item, world, table):
+        if _free(place, item, others, table, region):
+            position = (round(float(place[0]), 5), round(float(place[1]), 5), round(height, 5))
+            return Destination(position, region.relation, region.objects)
+    return None
+
+
+def _furniture(region: Region, world: World) -> bool:
+    return all(world[name].type in FURNITURE for name in region.objects)
+
+
+def _table(world: World, item: WorldObject) -> WorldObject | None:
+    tables = [o for o in world.objects if o.type == "table"]
+    if not tables:
+        return None
+    return min(tables, key=lambda o: float(np.linalg.norm(o.position[:2] - item.position[:2])))
+
+
+def _on_top(region: Region, item: WorldObject, names: list[str], world: World) -> Destination | None:
+    support = max((world[name] for name in region.objects), key=lambda o: float(o.position[2] + o.half_extents[2]))
+    top = float(support.position[2] + support.half_extents[2])
+    for other in world.objects:
+        if other.id in (support.id, *names) or other.type in FURNITURE:
+            continue
+        reach = other.half_extents + item.half_extents
+        above = abs(float(other.position[2]) - top - float(item.size[2]) / 2) < float(reach[2]) * 0.9
+        if above and np.all(np.abs(other.position[:2] - support.position[:2]) < reach[:2]):
+            return None
+    x, y = (float(value) for value in support.position[:2])
+    return Destination((x, y, top + float(item.size[2]) / 2), "top", region.objects)
+
+
+def _candidates(region: Region, item: WorldObject, world: World, table: WorldObject) -> Iterator[Array]:
+    """Places on the floor plan, what fits the words best first."""
+    references = [world[name] for name in region.objects]
+    ideals = _ideals(region, item, references, table)
+    yield from ideals
+    for radius in np.arange(STEP, 0.4, STEP):
+        turns = max(8, int(2 * np.pi * radius / STEP / 2))
+        for ideal in ideals:
+            for angle in np.linspace(0, 2 * np.pi, turns, endpoint=False):
+                yield ideal + radius * np.array([np.cos(angle), np.sin(angle)])
+
+
+def _ideals(region: Region, item: WorldObject, references: list[WorldObject], table: WorldObject) -> list[Array]:
+    half = float(item.half_extents[:2].max())
+    if region.kind == "robot" or not references:
+        near = table.position[:2] - np.array([table.half_extents[0] * 0.5, 0.0])
+        return [np.asarray(near)]
+    low = np.min([o.position - o.half_extents for o in references], axis=0)[:2]
+    high = np.max([o.position + o.half_extents for o in references], axis=0)[:2]
+    centre = (low + high) / 2
+    if all(o.type in FURNITURE for o in references):
+        if region.relation in _DIRECTIONS:
+            return [np.asarray(centre + np.array(_DIRECTIONS[region.relation]) * (high - low) / 4)]
+        return [item.position[:2] if region.relation == "top" else centre]
+    if region.relation == "between" and len(references) == 2:
+        return [np.asarray((references[0].position[:2] + references[1].position[:2]) / 2)]
+    if region.relation in ("center", "between"):
+        return [np.mean([o.position[:2] for o in references], axis=0)]
+    away = (high - low) / 2 + half + CLEARANCE
+    if region.relation in _DIRECTIONS:
+        return [np.asarray(centre + np.array(_DIRECTIONS[region.relation]) * away)]
+    return [np.asarray(centre + np.array(_DIRECTIONS[side]) * away) for side in _BESIDE]
+
+
+def _free(place: Array, item: WorldObject, others: list[WorldObject], table: WorldObject, region: Region) -> bool:
+    half = float(item.half_extents[:2].max())
+    room = table.half_extents[:2] - MARGIN - half
+    if np.any(np.abs(place - table.position[:2]) > room):
+        return False
+    for other in others:
+        reach = other.half_extents[:2] + half + CLEARANCE - 1e-6
+        if np.all(np.abs(place - other.position[:2]) < reach):
+            return False
+    return True

@@ -1,0 +1,169 @@
+"""From readings to an outcome: an answer, a question, or what is missing or was not understood."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+
+from grounding.describing import name_objects, whats_missing
+from grounding.destinations import find_destination
+from grounding.geometry.layout import Layout
+from grounding.inference import Hypothesis
+from grounding.language.lexicon import meanings
+from grounding.language.tree import Phrase
+from grounding.readings import Reading
+from grounding.result import Destination, GroundedAction, Grounding, PhraseGrounding
+from grounding.symbols import Action, Container, ObjectColor, ObjectType, Symbol, symbol_key
+
+CONFIDENT = 0.5  # an answer is given when it is likelier than all others together
+_LISTED = 0.01  # alternatives less likely than this are not worth naming
+_MOST = 5
+_NOUN_TAGS = ("NN", "NNS", "NNP", "NNPS")
+
+
+def decide(text: str, found: Sequence[Reading], layout: Layout, unknown_words: Iterable[str] = ()) -> Grounding:
+    """Weigh the readings.
+
+    Args:
+        text: the instruction.
+        found: its readings, the likeliest first.
+        layout: the world.
+        unknown_words: that the grammar does not know.
+    """
+    unknown = tuple(unknown_words)
+    belief: dict[Action, float] = {}
+    bearers: dict[Action, Reading] = {}
+    nothing = 0.0
+    for reading in found:
+        if not reading.actions:
+            nothing += reading.weight
+        for action in reading.actions:
+            belief[action] = belief.get(action, 0.0) + reading.weight / len(reading.actions)
+            bearers.setdefault(action, reading)
+    ordered = sorted(belief.items(), key=lambda item: (-item[1], symbol_key(item[0])))
+    if not ordered or nothing > 0.5:
+        return _nothing(text, found[0], layout, unknown)
+    best, probability = ordered[0]
+    if probability >= CONFIDENT:
+        destination = (
+            None if best.destination is None else find_destination(best.destination, best.objects, layout.world)
+        )
+        if best.destination is not None and destination is None:
+            why = f"there is no free place {_where(best, layout)}"
+            return Grounding(text, "no_referent", (), (), None, why, unknown, 0.0, _phrases(bearers[best], belief))
+        chosen = GroundedAction(best.kind, best.objects, probability, destination)
+        others = tuple(_alternative(a, p, layout) for a, p in ordered[1 : _MOST + 1] if p >= _LISTED)
+        return Grounding(text, "grounded", (chosen,), others, None, "", unknown, 0.0, _phrases(bearers[best], belief))
+    alternatives = tuple(_alternative(a, p, layout) for a, p in ordered[:_MOST] if p >= _LISTED)
+    question = _question([a for a, p in ordered if p >= _LISTED], layout)
+    why = f"{len(ordered)} readings are possible" if len(ordered) > 1 else "no reading is sure enough"
+    return Grounding(text, "ambiguous", (), alternatives, question, why, unknown, 0.0, _phrases(bearers[best], belief))
+
+
+def _alternative(action: Action, probability: float, layout: Layout) -> GroundedAction:
+    return GroundedAction(action.kind, action.objects, probability, _destination(action, layout))
+
+
+def _destination(action: Action, layout: Layout) -> Destination | None:
+    if action.destination is None:
+        return None
+    return find_destination(action.destination, action.objects, layout.world)
+
+
+def _question(actions: Sequence[Action], layout: Layout) -> str:
+    """Asks which one is meant, naming what tells them apart."""
+    kinds = sorted({action.kind for action in actions})
+    if len({action.objects for action in actions}) == 1:
+        if len(kinds) > 1:
+            return f"Shall I {' or '.join(kinds)} {name_objects(layout, actions[0].objects)}?"
+        places = [_where(action, layout) for action in actions[:3]]
+        return f"Where do you want {name_objects(layout, actions[0].objects)}: {' or '.join(dict.fromkeys(places))}?"
+    rivals = [name for action in actions for name in action.objects]
+    names = list(dict.fromkeys(name_objects(layout, action.objects, rivals) for action in actions[:3]))
+    more = len({action.objects for action in actions}) - len(names)
+    rest = f", or one of {more} others" if more > 0 else ""
+    if len(names) == 1:
+        return f"Do you mean {names[0]}{rest}?"
+    listed = ", ".join(names) if rest else ", ".join(names[:-1]) + f" or {names[-1]}"
+    return f"Do you mean {listed}{rest}?"
+
+
+def _where(action: Action, layout: Layout) -> str:
+    region = action.destination
+    if region is None:
+        return "where it is"
+    words = {"top": "on", "near": "beside", "front": "in front of", "back": "behind", "between": "between",
+             "left": "to the left of", "right": "to the right of", "center": "in the middle of",
+             "bottom": "under", "far": "far from"}  # fmt: skip
+    reference = name_objects(layout, region.objects) if region.objects else "the robot"
+    return f"{words[region.relation]} {reference}"
+
+
+def _nothing(text: str, reading: Reading, layout: Layout, unknown: tuple[str, ...]) -> Grounding:
+    """No reading names anything: is it the words or the world?"""
+    walked = list(_walk(reading.inference.tree, reading.hypothesis))
+    said = frozenset(symbol for _, h in walked for symbol in h.symbols)
+    asks = any(isinstance(symbol, Action) for symbol in said) or reading.inference.tree.tag == "NP"
+    names = any(isinstance(s, ObjectType | ObjectColor | Container) and s != Container("robot") for s in said)
+    strange = [word for word in _strange_nouns(reading.inference.tree, layout) if asks]
+    phrases = _phrases(reading, {})
+    if not asks or not (names or strange):
+        heard = tuple(dict.fromkeys((*unknown, *_strange_words(reading.inference.tree))))
+        reason = f"I do not understand {_quoted(heard)}" if heard else "this asks for no pick, place or clear"
+        return Grounding(text, "not_understood", (), (), None, reason, heard, 0.0, phrases)
+    why: str | None = None
+    if strange:
+        known = sorted({item.type for item in layout.things}) or ["nothing"]
+        why = f"I know of nothing called {_quoted(strange)} here; the world has: {', '.join(known)}"
+    for phrase, hypothesis in reversed(walked):
+        if why is None:
+            below = frozenset().union(*(child.symbols for child in hypothesis.children), frozenset())
+            missing = whats_missing(layout, hypothesis.symbols, below)
+            why = None if missing is None else f"{phrase.text!r}: {missing}"
+    why = why or "nothing in this world is what these words describe"
+    heard = tuple(dict.fromkeys((*unknown, *strange)))
+    return Grounding(text, "no_referent", (), (), None, why, heard, 0.0, phrases)
+
+
+def _strange_nouns(tree: Phrase, layout: Layout) -> Iterator[str]:
+    types = layout.types
+    for phrase in tree.preorder():
+        nouns = [word for word in phrase.words if word.tag in _NOUN_TAGS]
+        if phrase.tag == "NP" and nouns and not meanings(nouns[-1].text) and nouns[-1].text not in types:
+            yield nouns[-1].text
+
+
+def _strange_words(tree: Phrase) -> Iterator[str]:
+    for leaf in tree.leaves:
+        if leaf.tag[:2] in ("NN", "VB", "JJ") and not meanings(leaf.text):
+            yield leaf.text
+
+
+def _quoted(words: Sequence[str]) -> str:
+    return ", ".join(f"'{word}'" for word in words)
+
+
+def _walk(phrase: Phrase, hypothesis: Hypothesis) -> Iterator[tuple[Phrase, Hypothesis]]:
+    yield phrase, hypothesis
+    for child, part in zip(phrase.phrases, hypothesis.children, strict=True):
+        yield from _walk(child, part)
+
+
+def _phrases(reading: Reading, belief: dict[Action, float]) -> tuple[PhraseGrounding, ...]:
+    """Every phrase of a reading with the symbols it was grounded to."""
+    found: list[PhraseGrounding] = []
+
+    def visit(phrase: Phrase, hypothesis: Hypothesis, depth: int) -> None:
+        symbols: list[tuple[Symbol, float]] = []
+        for symbol in hypothesis.symbols:
+            probability = hypothesis.probabilities.get(symbol, 1.0)
+            if isinstance(symbol, Action) and symbol in belief:
+                probability = belief[symbol]
+            symbols.append((symbol, probability))
+        symbols.sort(key=lambda item: (-item[1], symbol_key(item[0])))
+        span = (phrase.leaves[0].index, phrase.leaves[-1].index)
+        found.append(PhraseGrounding(phrase.text, phrase.tag, span, depth, tuple(symbols)))
+        for child, part in zip(phrase.phrases, hypothesis.children, strict=True):
+            visit(child, part, depth + 1)
+
+    visit(reading.inference.tree, reading.hypothesis, 0)
+    return tuple(found)

@@ -1,0 +1,99 @@
+"""Readings of an instruction: what each hypothesis of each parse would have the robot do, with its share of belief."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from grounding.geometry.layout import Layout
+from grounding.geometry.masks import indices_of
+from grounding.inference import Hypothesis, Inference
+from grounding.language.tree import Phrase
+from grounding.symbols import (
+    Action,
+    Container,
+    ContainerAttribute,
+    ObjectAttribute,
+    ObjectSymbol,
+    Region,
+    Symbol,
+    symbol_key,
+)
+
+REFERENT_ODDS = 20.0  # people who instruct mean something that is there: so many to one
+_PARSE_WEIGHT = 0.7  # how much a parse's probability counts beside how well its phrases ground
+
+
+@dataclass(frozen=True)
+class Reading:
+    """One way to take the instruction.
+
+    Attributes:
+        inference: of the parse.
+        hypothesis: of its root.
+        actions: what it asks for; several where it leaves open which, none where it asks for nothing that is there.
+        weight: its share of belief among all readings; they sum to 1.
+    """
+
+    inference: Inference
+    hypothesis: Hypothesis
+    actions: tuple[Action, ...]
+    weight: float
+
+
+def readings(inferences: Sequence[tuple[Inference, float]], layout: Layout) -> tuple[Reading, ...]:
+    """All readings, the likeliest first.
+
+    Args:
+        inferences: of every parse, with the parse's probability.
+        layout: the world.
+    """
+    found: list[tuple[float, Inference, Hypothesis, tuple[Action, ...]]] = []
+    for inference, probability in inferences:
+        count = max(1, sum(1 for _ in inference.tree.preorder()))
+        best = inference.hypotheses[0].log_probability
+        for hypothesis in inference.hypotheses:
+            actions = requested(inference.tree, hypothesis, layout)
+            log = _PARSE_WEIGHT * math.log(max(probability, 1e-9)) + best / count
+            log += hypothesis.log_probability - best + (math.log(REFERENT_ODDS) if actions else 0.0)
+            found.append((log, inference, hypothesis, actions))
+    top = max(log for log, *_ in found)
+    total = sum(math.exp(log - top) for log, *_ in found)
+    found.sort(key=lambda item: -item[0])
+    return tuple(Reading(i, h, a, math.exp(log - top) / total) for log, i, h, a in found)
+
+
+def requested(tree: Phrase, hypothesis: Hypothesis, layout: Layout) -> tuple[Action, ...]:
+    """What a hypothesis asks for. A noun phrase alone asks to pick up what it means."""
+    actions = [s for s in hypothesis.symbols if isinstance(s, Action) and s.objects]
+    if actions:
+        return tuple(sorted(actions, key=symbol_key))
+    if tree.tag == "NP":
+        return pick_of(hypothesis.symbols, layout)
+    if tree.tag in ("FRAG", "S", "SBAR"):
+        for child, part in zip(tree.phrases, hypothesis.children, strict=True):
+            found = requested(child, part, layout)
+            if found:
+                return found
+    return ()
+
+
+def pick_of(symbols: frozenset[Symbol], layout: Layout) -> tuple[Action, ...]:
+    """Picking up what a noun phrase means: its objects, or each that it leaves possible."""
+    objects = tuple(sorted(s.id for s in symbols if isinstance(s, ObjectSymbol) and s.id in layout.index))
+    if objects:
+        return (Action("pick", objects),)
+    pool = layout.everything
+    attributes = [s for s in symbols if isinstance(s, ObjectAttribute)]
+    if not attributes:
+        return ()
+    for symbol in symbols:
+        match symbol:
+            case ObjectAttribute(object_type, color) | ContainerAttribute(object_type, color):
+                pool &= layout.matching(object_type, color)
+            case Container(_, members) if members:
+                pool &= layout.mask(members)
+            case Region(relation, kind, reference) if kind != "robot":
+                pool &= layout.within(relation, reference)
+    return tuple(Action("pick", (layout.ids[i],)) for i in indices_of(pool))
