@@ -134,11 +134,12 @@ def _put(stage: Stage, action: str, name: str, spots: np.ndarray, arm: str) -> n
     refusal: NoPlan | None = None
     for spot in _spread(spots):
         try:
-            plan = stage.plan_place(name, spot, arm)
+            plans = stage.plan_transport(name, spot, arm)
         except NoPlan as error:
             refusal = refusal or error
         else:
-            stage.execute(plan, action, name)
+            for plan in plans:
+                stage.execute(plan, action, name)
             return spot
     if refusal is None:
         raise NoPlan(f"there is no free place on the table for {name}", (name,), "room")

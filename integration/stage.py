@@ -30,8 +30,8 @@ class Planner(Protocol):
     def plan_pick(self, scene: Scene, target: str, **options: Any) -> Plan:
         """A plan that ends with the box in the hand."""
 
-    def plan_place(self, scene: Scene, target: str, position: Any, **options: Any) -> Plan:
-        """A plan that ends with the box at `position` and the arm at home."""
+    def plan_transport(self, scene: Scene, target: str, position: Any, **options: Any) -> tuple[Plan, ...]:
+        """Plans, one or two, that end with the box at `position` and the arms at home."""
 
 
 class Stage:
@@ -104,17 +104,18 @@ class Stage:
             plan: Plan = self._planner.plan_pick(scene, name, arm=arm, rng=self._rng, **options)
         return plan
 
-    def plan_place(self, name: str, position: np.ndarray, arm: str) -> Plan:
-        """A plan to set an object down at `position`, (3,) of its centre in [m].
+    def plan_transport(self, name: str, position: np.ndarray, arm: str) -> tuple[Plan, ...]:
+        """Plans to set an object down at `position`, (3,) of its centre in [m]; two where the hands must pass it on.
 
         Raises:
             NoPlan: with motion's reason.
         """
         with self._timed(f"plan the place of {name}"), _refusals(name):
-            plan: Plan = self._planner.plan_place(
-                self.scene, name, position, arm=arm, start=self.simulator.state(), rng=self._rng
+            return tuple(
+                self._planner.plan_transport(
+                    self.scene, name, position, arm=arm, start=self.simulator.state(), rng=self._rng
+                )
             )
-        return plan
 
     def execute(self, plan: Plan, action: str, name: str) -> None:
         """Carries a plan out and notes its phases."""

@@ -14,8 +14,7 @@ from grounding.world import FURNITURE, World
 from integration.plans import check_rows, result_marks, result_title
 from integration.report import Report
 from integration.worlds import scene_of
-from motion import Renderer, Scene, Simulator
-from motion.rendering import Camera
+from motion import Camera, Renderer, Scene, Simulator
 
 WIDTH, HEIGHT = 1280, 760
 CAMERA = Camera(np.array([2.12, 0.0, 1.90]), np.array([0.46, 0.0, 0.87]), 40.0)

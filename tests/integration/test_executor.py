@@ -124,8 +124,8 @@ class _Mistaken:
     def plan_pick(self, scene, target, **options):
         return motion.plan_pick(scene, self.instead, **options)
 
-    def plan_place(self, scene, target, position, **options):
-        return motion.plan_place(scene, self.instead, position, **options)
+    def plan_transport(self, scene, target, position, **options):
+        return motion.plan_transport(scene, self.instead, position, **options)
 
 
 @pytest.mark.parametrize(
