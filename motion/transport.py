@@ -8,7 +8,14 @@ from collections.abc import Iterator
 import numpy as np
 from numpy.typing import ArrayLike
 
-from motion.errors import GraspUnavailable, InvalidGoal, MotionError, UnreachableTarget
+from motion.errors import (
+    GraspUnavailable,
+    InvalidGoal,
+    MotionError,
+    PathNotFound,
+    PlanInCollision,
+    UnreachableTarget,
+)
 from motion.outlines import overlap
 from motion.planner import plan_place
 from motion.plans import Plan
@@ -32,8 +39,7 @@ def plan_transport(
     start: RobotState | None = None,
     rng: np.random.Generator | None = None,
 ) -> tuple[Plan, ...]:
-    """Plans that bring a box to its destination: one where a single hand reaches both places, otherwise two over the
-    middle.
+    """Plans that bring a box to its destination: one, or two over the middle where no single hand reaches both places.
 
     The second plan assumes that the first one ends as planned. Whoever would rather look again carries out the first
     and calls this function, or `plan_place`, once more.
@@ -54,7 +60,7 @@ def plan_transport(
     rng = np.random.default_rng(0) if rng is None else rng
     try:
         return (plan_place(scene, target, position, yaw=yaw, arm=arm, start=start, rng=rng),)
-    except (UnreachableTarget, GraspUnavailable):
+    except (UnreachableTarget, GraspUnavailable, PlanInCollision, PathNotFound):
         if arm != "auto":
             raise
         goal = np.asarray(position, dtype=np.float64)

@@ -70,7 +70,7 @@ def test_long_boxes_are_taken_across():
 
 def test_what_cannot_be_grasped_is_refused(one_block):
     wide = Scene((TABLE, block("b", 0.6, -0.3, edge=0.06)))
-    with pytest.raises(InvalidGoal, match="60, 60 mm.*18 to 55.7 mm"):
+    with pytest.raises(InvalidGoal, match=r"60, 60 mm.*18 to 55.7 mm"):
         grasp_candidates(wide, "b")
     with pytest.raises(InvalidGoal, match="fixed"):
         grasp_candidates(one_block, "table")

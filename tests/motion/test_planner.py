@@ -45,7 +45,7 @@ def test_a_pick_reaches_its_block_and_lifts_it(twenty_blocks, name):
     assert grasp.distance(plan.grasp.tool)[0] < 1e-4
     lifted = robot.tool_pose(plan.arm, plan.phases[4].trajectory.positions[-1])
     assert lifted.position - grasp.position == pytest.approx([0, 0, 0.10], abs=3e-4)
-    assert plan.goal.position == pytest.approx(box.position + [0, 0, 0.10])
+    assert plan.goal.position == pytest.approx(box.position + np.array([0, 0, 0.10]))
     assert dict(plan.end.held) == {plan.arm: name}
 
 

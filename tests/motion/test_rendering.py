@@ -40,9 +40,9 @@ def test_pictures_follow_the_simulation(one_block):
 @needs_opengl
 def test_mistakes_are_named(one_block):
     with Renderer(one_block, 64, 48) as renderer:
-        with pytest.raises(UnknownBody, match="'behind'.*front"):
+        with pytest.raises(UnknownBody, match=r"'behind'.*front"):
             renderer.render(camera="behind")
-        with pytest.raises(UnknownBody, match="'cone'.*box"):
+        with pytest.raises(UnknownBody, match=r"'cone'.*box"):
             renderer.render(markers=[Marker((0, 0, 1), shape="cone")])
     with pytest.raises(RenderingUnavailable, match="closed"):
         renderer.render()

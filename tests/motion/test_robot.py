@@ -84,7 +84,7 @@ def test_wrists_never_reach_beyond_the_stated_reach():
 
 
 def test_arms_have_two_names():
-    with pytest.raises(InvalidGoal, match="'middle'.*'left' and 'right'"):
+    with pytest.raises(InvalidGoal, match=r"'middle'.*'left' and 'right'"):
         load_robot().arm("middle")
 
 

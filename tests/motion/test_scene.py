@@ -26,12 +26,12 @@ def test_boxes_that_cannot_be_are_refused(change, words):
 
 
 def test_names_differ():
-    with pytest.raises(InvalidScene, match="'b'.*two"):
+    with pytest.raises(InvalidScene, match=r"'b'.*two"):
         Scene((block("b", 0.5, 0), block("b", 0.6, 0)))
 
 
 def test_unknown_names_are_told_with_the_known_ones(one_block):
-    with pytest.raises(UnknownBody, match="'c'.*table, b"):
+    with pytest.raises(UnknownBody, match=r"'c'.*table, b"):
         one_block.box("c")
 
 

@@ -127,7 +127,7 @@ def test_every_step_is_shown(one_block):
 
 def test_plans_that_begin_elsewhere_are_refused(one_block):
     start = RobotState(RobotState.home().left + 0.2, RobotState.home().right)
-    with Simulator(one_block, start) as simulator, pytest.raises(InvalidGoal, match="begins 0.200 rad"):
+    with Simulator(one_block, start) as simulator, pytest.raises(InvalidGoal, match=r"begins 0.200 rad"):
         simulator.execute(plan_pick(one_block, "b"))
 
 
