@@ -115,6 +115,11 @@ class CollisionChecker:
         # The broad phase has margins of its own, per body, which compiling would have set.
         self._model.body_margin[np.unique(self._model.geom_bodyid[self._mine])] = CLEARANCE
         self._boxes = ~robot
+        self._held_elsewhere = [
+            (self._indices.hand_geoms[side], np.arange(len(robot)) == self._indices.box_geoms[name])
+            for side, name in state.held.items()
+            if side != arm and name in self._indices.box_geoms
+        ]
         self._tables: dict[Rules, Array] = {}
         self._site = int(self._model.site(f"{arm}_tool").id)
         self._held_geom = -1 if held is None else self._indices.box_geoms[held]
@@ -194,6 +199,8 @@ class CollisionChecker:
         _both(table, hand, held, -np.inf)
         _both(table, hand, touching, -np.inf)
         _both(table, held, resting, -_RESTING_OVERLAP)
+        for other_hand, box in self._held_elsewhere:
+            _both(table, other_hand, box, -np.inf)
         self._tables[rules] = table
         return table
 

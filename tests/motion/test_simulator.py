@@ -1,9 +1,12 @@
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
 from conftest import TABLE, TOP, block
 from motion import Box, InvalidGoal, RobotState, Scene, Simulator, plan_home, plan_pick, plan_place
 from motion.poses import about, quaternion
+from motion.timing import rest
 
 MILLIMETRES = 1000
 
@@ -94,6 +97,33 @@ def test_the_way_home_with_a_block_in_the_hand(one_block):
         plan = plan_home(simulator.scene(), start=simulator.state())
         simulator.execute(plan)
         assert simulator.holding(plan.arm) == ("b",)
+
+
+def test_each_hand_holds_its_own_block(twenty_blocks):
+    with Simulator(twenty_blocks) as simulator:
+        for name in ("b17", "b5"):
+            plan = plan_pick(simulator.scene(), name, start=simulator.state())
+            assert simulator.execute(plan).contacts == ()
+        assert dict(simulator.state().held) == {"left": "b17", "right": "b5"}
+        with pytest.raises(InvalidGoal, match="no hand is free"):
+            plan_pick(simulator.scene(), "b0", start=simulator.state())
+        plan = plan_place(simulator.scene(), "b17", (0.65, 0.75, 0.736), start=simulator.state())
+        simulator.execute(plan)
+        assert _error(simulator, plan) < 2
+        assert dict(simulator.state().held) == {"right": "b5"}
+
+
+def test_a_block_that_was_lost_is_taken_again(one_block):
+    with Simulator(one_block) as simulator:
+        plan = plan_pick(one_block, "b")
+        simulator.execute(plan)
+        opened = [phase for phase in plan_place(one_block, "b", (0.6, -0.5, 0.736)).phases if phase.name == "open"]
+        simulator.run_phase(plan.arm, "b", replace(opened[0], trajectory=rest(plan.end.joints(plan.arm), 0.5)))
+        assert simulator.settle(3.0)
+        assert simulator.holding(plan.arm) == ()
+        again = plan_pick(simulator.scene(), "b", start=simulator.state())
+        simulator.execute(again)
+        assert simulator.holding(again.arm) == ("b",)
 
 
 def test_the_way_home_from_around_a_block(one_block):
