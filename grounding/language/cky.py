@@ -41,11 +41,14 @@ class Beam:
     Attributes:
         width: a node is dropped when it is worse than the best of its cell by more than this, as log probability.
         size: at most so many constituents, and so many unfinished phrases on each side, stay in a cell.
+        slack: a cell is looked at once more when its constituents have become heads of others; then this much is added
+            to the width, and as many nodes to the size.
         span: no constituent has more words than this.
     """
 
     width: float = 11.0
     size: int = 12
+    slack: int = 3
     span: int = 40
 
 
@@ -116,6 +119,9 @@ def _fill(rules: Rules, sentence: Sequence[Sequence[Lexeme]], beam: Beam) -> lis
                     _close(rules, state, node, whole, left, ending[start])
                 _prune(whole, rules.symbol_rank, beam)
             _start(rules, whole, right, left, ending[start])
+            _prune(whole, rules.symbol_rank, beam, beam.slack)
+            _prune(right, rules.state_rank, beam, beam.slack)
+            _prune(left, rules.state_rank, beam, beam.slack)
             if right and end < size:
                 rightwards[start].append((end, right))
             if left:
@@ -217,13 +223,13 @@ def _start(rules: Rules, whole: Table, right: Table, left: Table, before: frozen
             pending = sorted({*pending, *list(whole)[known:]}, key=lambda number: (depth[number], number))
 
 
-def _prune(table: Table, rank: list[float], beam: Beam) -> None:
+def _prune(table: Table, rank: list[float], beam: Beam, slack: int = 0) -> None:
     if len(table) < 2:
         return
     scores = sorted(((node.score + rank[number], number) for number, node in table.items()), reverse=True)
-    limit = scores[0][0] - beam.width
+    limit = scores[0][0] - beam.width - slack
     for place, (score, number) in enumerate(scores):
-        if score < limit or place >= beam.size:
+        if score < limit or place >= beam.size + slack:
             del table[number]
 
 
