@@ -7,8 +7,9 @@ import shutil
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from grounding.pictures.marks import expressed, meaning_of
+from grounding.pictures.marks import meaning_of, telling
 from grounding.result import Grounding, PhraseGrounding
+from grounding.symbols import ObjectSymbol
 from integration.checks import Check, gathered
 from integration.report import DONE, Report, Step
 
@@ -68,8 +69,9 @@ def phrase_tree(grounding: Grounding, style: Style | None = None) -> list[str]:
     room = min(max((len(text) for text in texts), default=0), int(style.width * 0.62))
     arrow = " → " if style.unicode else " -> "
     for (_, phrase), text in zip(shown, texts, strict=True):
-        found = expressed(phrase)
-        meaning = " ".join(dict.fromkeys(meaning_of(symbol) for symbol, _ in found))
+        found = telling(phrase)
+        between = " " if isinstance(found[0][0], ObjectSymbol) else ", "
+        meaning = between.join(dict.fromkeys(meaning_of(symbol) for symbol, _ in found))
         left = style.width - room - len(arrow) - 6
         probability = min(p for _, p in found)
         line = f"{_cut(text, room):<{room}}{style.paint(arrow, '2')}{_cut(meaning, left):<{left}}  {probability:4.2f}"
@@ -144,7 +146,7 @@ def _telling(phrases: Sequence[PhraseGrounding]) -> list[tuple[int, PhraseGround
             continue
         while above and not _contains(above[-1], phrase):
             above.pop()
-        if above and above[-1].words == phrase.words and expressed(above[-1]) == expressed(phrase):
+        if above and above[-1].words == phrase.words and telling(above[-1]) == telling(phrase):
             continue
         shown.append((len(above), phrase))
         above.append(phrase)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -63,6 +64,31 @@ def expressed(phrase: PhraseGrounding) -> tuple[tuple[Symbol, float], ...]:
     return first + tuple(pair for pair in rest if pair[1] >= EXPRESSED)
 
 
+def telling(phrase: PhraseGrounding) -> tuple[tuple[Symbol, float], ...]:
+    """Of the symbols that a phrase is taken to mean, those that say most.
+
+    Goals come before regions, these before containers, objects, what is said of them, and single labels.
+    """
+    found = expressed(phrase)
+    best = min((_rank(symbol) for symbol, _ in found), default=0)
+    return tuple(pair for pair in found if _rank(pair[0]) == best)
+
+
+def _rank(symbol: Symbol) -> int:
+    match symbol:
+        case Action(_, objects, _):
+            return 0 if objects else 7
+        case Region():
+            return 1
+        case Container(_, objects):
+            return 2 if objects else 5
+        case ObjectSymbol():
+            return 3
+        case ObjectAttribute() | ContainerAttribute():
+            return 4
+    return 6
+
+
 def meaning_of(symbol: Symbol) -> str:
     """A symbol in the fewest words."""
     match symbol:
@@ -101,7 +127,7 @@ def marks_of(grounding: Grounding) -> tuple[Mark, ...]:
         return tuple(_of_action(grounding, action, MARKS[i]) for i, action in enumerate(readings))
     marks = [_of_action(grounding, action, MARKS[0]) for action in grounding.actions[:2]]
     seen = {(mark.role, frozenset(mark.objects)) for mark in marks}
-    for phrase in sorted(grounding.phrases, key=lambda p: (p.tag != "NP", p.depth, p.words)):
+    for phrase in _outermost(grounding.phrases):
         for role, objects, probability, meaning in _marked(phrase):
             key = (role, frozenset(objects))
             taken = [frozenset(mark.objects) for mark in marks if mark.role == role]
@@ -112,9 +138,22 @@ def marks_of(grounding: Grounding) -> tuple[Mark, ...]:
     return tuple(marks)
 
 
+def _outermost(phrases: Sequence[PhraseGrounding]) -> list[PhraseGrounding]:
+    """Noun phrases first, without those that a longer one with the same first word completes."""
+    kept = [
+        phrase
+        for phrase in phrases
+        if not any(
+            other.tag == phrase.tag and other.words[0] == phrase.words[0] and other.words[1] > phrase.words[1]
+            for other in phrases
+        )
+    ]
+    return sorted(kept, key=lambda p: (p.tag != "NP", p.depth, p.words))
+
+
 def _marked(phrase: PhraseGrounding) -> list[tuple[str, tuple[str, ...], float, str]]:
     """Roles, objects, probability and meaning of what a phrase marks."""
-    found = expressed(phrase)
+    found = telling(phrase)
     single = [(symbol.id, p) for symbol, p in found if isinstance(symbol, ObjectSymbol)]
     result = [
         ("container", symbol.objects, p, meaning_of(symbol))
@@ -127,12 +166,21 @@ def _marked(phrase: PhraseGrounding) -> list[tuple[str, tuple[str, ...], float, 
     return result
 
 
+def _objects(symbol: Symbol) -> tuple[str, ...]:
+    match symbol:
+        case ObjectSymbol(name):
+            return (name,)
+        case Container(_, objects):
+            return objects
+    return ()
+
+
 def _of_action(grounding: Grounding, action: GroundedAction, color: Rgb) -> Mark:
     named = [
         phrase
         for phrase in grounding.phrases
         if phrase.tag == "NP"
-        and {symbol.id for symbol, _ in expressed(phrase) if isinstance(symbol, ObjectSymbol)} == set(action.objects)
+        and {name for symbol, _ in expressed(phrase) for name in _objects(symbol)} == set(action.objects)
     ]
     text = min(named, key=lambda phrase: (phrase.depth, phrase.words)).text if named else grounding.instruction
     meaning = f"{action.action} {' '.join(action.objects)}"
