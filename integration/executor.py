@@ -59,7 +59,14 @@ class Executor:
         self._grounder = grounder
         self._arm, self._seed, self._planner = arm, seed, planner
 
-    def run(self, text: str, world: World, history: Sequence[str] = (), watch: Watch | None = None) -> Report:
+    def run(
+        self,
+        text: str,
+        world: World,
+        history: Sequence[str] = (),
+        watch: Watch | None = None,
+        steps: tuple[Step, ...] = (),
+    ) -> Report:
         """Ground an instruction and carry it out.
 
         Args:
@@ -67,19 +74,18 @@ class Executor:
             world: what is around the robot.
             history: ids of the objects handled before, the latest last.
             watch: called with the simulator after every step of physics.
+            steps: what was done before, for the report.
 
         Raises:
             LanguageError: the instruction is empty.
         """
-        start = time.perf_counter()
         if self._grounder is None:
             from grounding import Grounder
 
             self._grounder = Grounder.load()
-        loaded = time.perf_counter()
+        start = time.perf_counter()
         grounding = self._grounder.ground(text, world, history)
-        steps = (Step("load the grounder", loaded - start), Step("ground", time.perf_counter() - loaded))
-        return self.execute(grounding, world, watch, steps)
+        return self.execute(grounding, world, watch, (*steps, Step("ground", time.perf_counter() - start)))
 
     def execute(
         self, grounding: Grounding, world: World, watch: Watch | None = None, steps: tuple[Step, ...] = ()

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from functools import partial
 from pathlib import Path
 
 from PIL import Image
@@ -11,7 +12,8 @@ from PIL import Image
 from integration.errors import UsageError
 from integration.plans import result_plan, understood_plan
 from integration.report import FAILED, Report, Step
-from motion import RenderingUnavailable, rendering_available
+from integration.views import Studio
+from motion import MotionError, RenderingUnavailable
 
 UNDERSTOOD, RESULT = "understood.png", "result.png"
 HOW_TO_RENDER = (
@@ -19,6 +21,8 @@ HOW_TO_RENDER = (
     "package libegl1 or libosmesa6 (apt install libegl1) and leave MUJOCO_GL unset"
 )
 _COMPRESSION = 3
+
+Draw = Callable[[], Image.Image]
 
 
 def save_pictures(report: Report, folder: Path) -> tuple[Report, str | None]:
@@ -34,34 +38,36 @@ def save_pictures(report: Report, folder: Path) -> tuple[Report, str | None]:
     Raises:
         UsageError: the folder cannot be written to.
     """
-    hint = None if rendering_available() else HOW_TO_RENDER
+    hint, studio = None, None
+    begun = time.perf_counter()
+    try:
+        studio = Studio(report.world)
+    except RenderingUnavailable:
+        hint = HOW_TO_RENDER
+    except MotionError:  # a world that cannot be simulated can be drawn from above all the same
+        hint = None
     written: list[str] = []
-    steps: list[Step] = []
-    for name, drawn in _pictures(report).items():
-        start = time.perf_counter()
-        try:
-            image = drawn[0]() if hint is None else drawn[1]()
-        except RenderingUnavailable:
-            hint = HOW_TO_RENDER
-            image = drawn[1]()
-        written.append(str(_save(image, folder / name)))
-        steps.append(Step(f"draw {name}", time.perf_counter() - start))
+    steps = [Step("start the renderer", time.perf_counter() - begun)]
+    try:
+        for name, rendered, drawn in _pictures(report, studio):
+            start = time.perf_counter()
+            written.append(str(_save(drawn() if rendered is None else rendered(), folder / name)))
+            steps.append(Step(f"draw {name}", time.perf_counter() - start))
+    finally:
+        if studio is not None:
+            studio.close()
     return report.with_pictures(tuple(written), tuple(steps)), hint
 
 
-def _pictures(report: Report) -> dict[str, tuple[Callable[[], Image.Image], Callable[[], Image.Image]]]:
-    """Names of files, each with how it is rendered and how it is drawn from above."""
-    from integration.views import result_view, understood_view
-
-    found = {
-        UNDERSTOOD: (
-            lambda: understood_view(report.grounding, report.world),
-            lambda: understood_plan(report.grounding, report.world),
-        )
-    }
+def _pictures(report: Report, studio: Studio | None) -> Iterator[tuple[str, Draw | None, Draw]]:
+    """Names of files, each with how it is rendered, if it can be, and how it is drawn from above."""
+    yield (
+        UNDERSTOOD,
+        None if studio is None else partial(studio.understood, report.grounding, report.world),
+        partial(understood_plan, report.grounding, report.world),
+    )
     if report.checks or report.outcome == FAILED:
-        found[RESULT] = (lambda: result_view(report), lambda: result_plan(report))
-    return found
+        yield RESULT, None if studio is None else partial(studio.result, report), partial(result_plan, report)
 
 
 def _save(image: Image.Image, path: Path) -> Path:

@@ -109,8 +109,8 @@ def _run(args: argparse.Namespace) -> int:
     from integration.startup import started
 
     with _watching(args, world) as watch:
-        executor = started(arm=args.arm, seed=args.seed)
-        report = executor.run(args.text, world, watch=watch)
+        executor, loading = started(arm=args.arm, seed=args.seed)
+        report = executor.run(args.text, world, watch=watch, steps=(loading,))
     hint = None
     if not args.no_pictures:
         from integration.pictures import save_pictures

@@ -3,30 +3,35 @@
 from __future__ import annotations
 
 import threading
+import time
 from typing import TYPE_CHECKING
 
 import numpy  # noqa: F401  # before the thread below, which needs it too
 
 if TYPE_CHECKING:
     from integration.executor import Executor
+    from integration.report import Step
 
 
-def started(arm: str, seed: int) -> Executor:
-    """An executor with its grounder loaded.
+def started(arm: str, seed: int) -> tuple[Executor, Step]:
+    """An executor with its grounder and its robot loaded, and the step that this was.
 
     Args:
         arm: "left", "right" or "auto".
         seed: of all chance.
     """
-    from grounding import Grounder
-
+    start = time.perf_counter()
     thread = threading.Thread(target=_load_robot, daemon=True)
     thread.start()
+    from grounding import Grounder
+
     grounder = Grounder.load()
     thread.join()
     from integration.executor import Executor
+    from integration.report import Step
 
-    return Executor(grounder, arm=arm, seed=seed)
+    executor = Executor(grounder, arm=arm, seed=seed)
+    return executor, Step("load words and robot", time.perf_counter() - start)
 
 
 def _load_robot() -> None:

@@ -55,8 +55,7 @@ def summary(report: Report, style: Style | None = None) -> str:
         blocks.append([f"{'Pictures':<10}{report.pictures[0]}", *(f"{'':<10}{name}" for name in report.pictures[1:])])
     verdict = {"done": "Done", "not_grounded": "Not grounded", "no_plan": "No plan", "failed": "Failed"}[report.outcome]
     color = "1;32" if report.outcome == DONE else "1;31"
-    seconds = sum(step.seconds for step in report.steps)
-    blocks.append([f"{style.paint(verdict, color)}: {report.message} ({seconds:.1f} s)"])
+    blocks.append([f"{style.paint(verdict, color)}: {report.message}"])
     return "\n\n".join("\n".join(lines) for lines in blocks if lines)
 
 

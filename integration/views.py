@@ -2,69 +2,80 @@
 
 from __future__ import annotations
 
+from types import TracebackType
+
 import numpy as np
 from PIL import Image
 
 from grounding.pictures import Canvas, Mark, Row, Sheet, mark_rows, marks_of
 from grounding.pictures.outlines import corners_of
-from grounding.pictures.overlay import draw_destinations, draw_marks
+from grounding.pictures.overlay import draw_destinations, draw_marks, draw_names
 from grounding.pictures.palette import INK, PAPER
 from grounding.result import Grounding
-from grounding.world import FURNITURE, World
+from grounding.world import World
 from integration.plans import check_rows, result_marks, result_title
 from integration.report import Report
 from integration.worlds import scene_of
-from motion import Camera, Renderer, Scene, Simulator
+from motion import Camera, Renderer, Simulator
 
-WIDTH, HEIGHT = 1280, 760
-CAMERA = Camera(np.array([2.12, 0.0, 1.90]), np.array([0.46, 0.0, 0.87]), 40.0)
-
-
-def understood_view(grounding: Grounding, world: World) -> Image.Image:
-    """The scene, with what the phrases mean marked in it.
-
-    Raises:
-        RenderingUnavailable: no OpenGL can be started.
-    """
-    marks = marks_of(grounding)
-    return _view(scene_of(world), None, world, marks, grounding.instruction, mark_rows(marks))
+WIDTH, HEIGHT = 1280, 860
+CAMERA = Camera(np.array([2.25, 0.0, 2.05]), np.array([0.46, 0.0, 1.05]), 44.0)
 
 
-def result_view(report: Report) -> Image.Image:
-    """The scene at the end, with the checks as its caption.
+class Studio:
+    """Renders a world before and after; close it when done, or use it as a context manager.
+
+    Args:
+        world: whose objects are rendered, wherever they will be.
 
     Raises:
         RenderingUnavailable: no OpenGL can be started.
     """
-    scene = scene_of(report.final_world)
-    with Simulator(scene, report.state) as simulator:
-        return _view(
-            scene, simulator, report.final_world, result_marks(report), result_title(report), check_rows(report)
-        )
 
+    def __init__(self, world: World) -> None:
+        self._renderer = Renderer(scene_of(world), WIDTH, HEIGHT)
 
-def _view(
-    scene: Scene,
-    simulator: Simulator | None,
-    world: World,
-    marks: tuple[Mark, ...],
-    title: str,
-    rows: tuple[Row, ...],
-) -> Image.Image:
-    with Renderer(scene, WIDTH, HEIGHT) as renderer:
-        photo = renderer.render(simulator, CAMERA)
-        things = [item for item in world.objects if item.type not in FURNITURE]
-        corners = {item.id: renderer.project(corners_of(item), CAMERA) for item in things}
-        corners = {name: points for name, points in corners.items() if np.isfinite(points).all()}
+    def __enter__(self) -> Studio:
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        self.close()
+
+    def close(self) -> None:
+        """Frees OpenGL's memory."""
+        self._renderer.close()
+
+    def understood(self, grounding: Grounding, world: World) -> Image.Image:
+        """The scene, with what the phrases mean marked in it."""
+        marks = marks_of(grounding)
+        with Simulator(scene_of(world)) as simulator:
+            return self._view(simulator, world, marks, grounding.instruction, mark_rows(marks))
+
+    def result(self, report: Report) -> Image.Image:
+        """The scene at the end, with the checks as its caption."""
+        world = report.final_world
+        with Simulator(scene_of(world), report.state) as simulator:
+            return self._view(simulator, world, result_marks(report), result_title(report), check_rows(report))
+
+    def _view(
+        self, simulator: Simulator, world: World, marks: tuple[Mark, ...], title: str, rows: tuple[Row, ...]
+    ) -> Image.Image:
         sheet = Sheet((WIDTH, HEIGHT), title, rows)
-        top = sheet.body[1]
-        below = np.array([0.0, top])
-        corners = {name: points + below for name, points in corners.items()}
-        sheet.canvas.paste(Image.fromarray(photo), (0, top))
+        below = np.array([0.0, sheet.body[1]])
+
+        def project(points: np.ndarray) -> np.ndarray:
+            return self._renderer.project(points, CAMERA) + below
+
+        corners = {item.id: project(corners_of(item)) for item in world.things}
+        corners = {name: points for name, points in corners.items() if np.isfinite(points).all()}
+        sheet.canvas.paste(Image.fromarray(self._renderer.render(simulator, CAMERA)), (0, sheet.body[1]))
         draw_marks(sheet.canvas, marks, corners)
-        draw_destinations(sheet.canvas, marks, corners, lambda points: renderer.project(points, CAMERA) + below)
-    _sides(sheet.canvas, sheet.body)
-    return sheet.finished()
+        draw_names(sheet.canvas, marks, corners)
+        draw_destinations(sheet.canvas, marks, corners, project)
+        _sides(sheet.canvas, sheet.body)
+        return sheet.finished()
 
 
 def _sides(canvas: Canvas, body: tuple[int, int, int, int]) -> None:

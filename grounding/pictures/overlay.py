@@ -44,6 +44,18 @@ def draw_marks(canvas: Canvas, marks: Sequence[Mark], corners: Mapping[str, Arra
                 canvas.polygon(ring, line=mark.color, width=4)
 
 
+def draw_names(canvas: Canvas, marks: Sequence[Mark], corners: Mapping[str, Array]) -> None:
+    """The ids of ringed objects above their rings, for pictures whose objects do not show them."""
+    named: set[str] = set()
+    for mark in marks:
+        for name in mark.objects if mark.role == "object" else ():
+            if name in corners and name not in named:
+                named.add(name)
+                points = corners[name]
+                place = (float(points[:, 0].mean()), float(points[:, 1].min()) - _HULL - 5)
+                canvas.text(place, name, 15, mark.color, "mb", PAPER)
+
+
 def draw_destinations(canvas: Canvas, marks: Sequence[Mark], corners: Mapping[str, Array], project: Project) -> None:
     """Where marked objects are brought to: a dashed outline of the object there, and an arrow to it.
 

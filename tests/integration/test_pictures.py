@@ -13,10 +13,20 @@ from integration.errors import UsageError
 from integration.executor import Executor
 from integration.pictures import save_pictures
 from integration.plans import result_plan, understood_plan
-from integration.views import result_view, understood_view
+from integration.views import Studio
 from motion import rendering_available
 
 needs_opengl = pytest.mark.skipif(not rendering_available(), reason="no OpenGL starts here")
+
+
+def understood_view(grounding, world):
+    with Studio(world) as studio:
+        return studio.understood(grounding, world)
+
+
+def result_view(report):
+    with Studio(report.world) as studio:
+        return studio.result(report)
 
 
 def pixels(image, color):
