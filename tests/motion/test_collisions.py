@@ -1,7 +1,7 @@
 import numpy as np
 import pytest
+from motion_layouts import TABLE, TOP, block
 
-from conftest import TABLE, TOP, block
 from motion import Pose, RobotState, Scene
 from motion.collisions import GRID, CollisionChecker, Rules, dense
 from motion.ik import solve_ik

@@ -2,8 +2,8 @@ import itertools
 
 import numpy as np
 import pytest
+from motion_layouts import TABLE, TOP, block
 
-from conftest import TABLE, TOP, block
 from motion import Box, InvalidGoal, Scene, UnknownBody
 from motion.grasps import TILTS, grasp_candidates
 from motion.poses import about, quaternion

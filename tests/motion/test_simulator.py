@@ -2,8 +2,8 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from motion_layouts import TABLE, TOP, block
 
-from conftest import TABLE, TOP, block
 from motion import Box, InvalidGoal, RobotState, Scene, Simulator, plan_home, plan_pick, plan_place
 from motion.poses import about, quaternion
 from motion.timing import rest

@@ -1,6 +1,6 @@
 import numpy as np
 import pytest
-from conftest import TABLE, block
+from motion_layouts import TABLE, block
 
 from motion import InvalidGoal, Scene, Simulator, UnreachableTarget, plan_transport
 
