@@ -10,12 +10,15 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
 
 import numpy as np
-from scipy import optimize, sparse
 
 from grounding.factors.model import Factor
 from grounding.world import Array
+
+if TYPE_CHECKING:
+    from scipy import sparse
 
 
 @dataclass
@@ -95,6 +98,8 @@ def train(
     facts, roles = tuple(data.facts), tuple(data.roles)
     if not data.rows:
         return Factor(facts, roles, np.zeros((len(facts), len(roles))))
+    from scipy import optimize  # loaded late: grounding does not need it, and it takes most of a second
+
     objective = Objective(data, penalty)
     result = optimize.minimize(
         objective,
@@ -115,6 +120,8 @@ def train(
 
 
 def _indicator(rows: Sequence[Sequence[int]], width: int) -> sparse.csr_matrix:
+    from scipy import sparse  # loaded late, see `train`
+
     pointers = np.concatenate([[0], np.cumsum([len(row) for row in rows])])
     indices = np.fromiter((i for row in rows for i in row), dtype=np.int64, count=int(pointers[-1]))
     return sparse.csr_matrix((np.ones(len(indices)), indices, pointers), shape=(len(rows), width))
