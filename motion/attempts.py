@@ -87,7 +87,7 @@ class Attempt:
         rising = Rules(hand_clearance=NEAR_CLEARANCE, resting=self._touched(full, at_grasp))
         top = Pose(grasp.tool.position + np.array([0, 0, lift]), grasp.tool.orientation)
         up = self._line(grasp.tool, top, at_grasp, full, rising, "lift")
-        self._home_first(empty)
+        self._home_first()
         there = self._connect(empty, self.joints, back[-1], Rules(), "pregrasp")
         self._add("pregrasp", there, empty, Rules(), grasp.opening)
         self._add("approach", back[::-1], empty, near, grasp.opening)
@@ -157,16 +157,7 @@ class Attempt:
         if held is not None:
             self.already_holding()
         checker = self._checker(width=self.state.widths[self.arm], held=held, grip=self.grip)
-        if checker.nearest(self.joints, Rules()) is not None:
-            tool = self._robot.tool_pose(self.arm, self.joints)
-            touching = Rules(
-                touching=frozenset(box.name for box in self.scene.boxes if not box.fixed),
-                resting=self._touched(checker, self.joints),
-                hand_clearance=-0.002,
-            )
-            back = Pose(tool.position - APPROACH * tool.rotation[:, 2], tool.orientation)
-            away = self._line(tool, back, self.joints, checker, touching, "retreat")
-            self._add("retreat", away, checker, touching, self.width)
+        self._back_out(checker)
         path = self._connect(checker, self.joints, home, Rules(), "home")
         self._add("home", path, checker, Rules(), self.width)
 
@@ -241,13 +232,29 @@ class Attempt:
         """Names of what the held box touches at `joints`."""
         return checker.around_held(joints, _RESTING)
 
-    def _home_first(self, checker: CollisionChecker) -> None:
+    def _home_first(self) -> None:
+        """Brings an empty hand home, unless it is there."""
         home = recipe().home[self.arm]
         if np.max(np.abs(self.joints - home)) <= _AT_HOME:
             self._phases.append(self._still("home", 0.0, self.width))
-        else:
-            path = self._connect(checker, self.joints, home, Rules(), "home")
-            self._add("home", path, checker, Rules(), self.width)
+            return
+        checker = self._checker(width=self.width)
+        self._back_out(checker)
+        path = self._connect(checker, self.joints, home, Rules(), "home")
+        self._add("home", path, checker, Rules(), self.width)
+
+    def _back_out(self, checker: CollisionChecker) -> None:
+        """Adds a straight retreat along the approach if the hand is too near to something to move freely."""
+        if checker.nearest(self.joints, Rules()) is None:
+            return
+        tool = self._robot.tool_pose(self.arm, self.joints)
+        rules = Rules(
+            touching=frozenset(box.name for box in self.scene.boxes if not box.fixed),
+            resting=self._touched(checker, self.joints),
+            hand_clearance=-0.002,
+        )
+        back = Pose(tool.position - APPROACH * tool.rotation[:, 2], tool.orientation)
+        self._add("retreat", self._line(tool, back, self.joints, checker, rules, "retreat"), checker, rules, self.width)
 
     def _add(self, name: str, path: list[Array], checker: CollisionChecker, rules: Rules, width: float) -> None:
         trajectory = self._verified(name, path, checker, rules)

@@ -133,6 +133,8 @@ def test_the_way_home_from_around_a_block(one_block):
             simulator.run_phase(plan.arm, plan.target, phase)
         home = plan_home(simulator.scene(), start=simulator.state())
         assert [phase.name for phase in home.phases] == ["retreat", "home"]
+        again = plan_pick(simulator.scene(), "b", start=simulator.state())
+        assert [phase.name for phase in again.phases][:3] == ["retreat", "home", "pregrasp"]
         simulator.execute(home)
         assert _others(simulator, one_block, "") < 1
 
