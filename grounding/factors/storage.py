@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import io
 import json
+import os
 import zipfile
+import zlib
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
@@ -17,10 +19,12 @@ from grounding.factors.model import Factor, FactorModel
 VERSION = 1
 _DIGITS = 5  # of a weight: two machines that differ in the last bits of a sum still write the same file
 _EPOCH = (1980, 1, 1, 0, 0, 0)
+_DAMAGE = (OSError, ValueError, LookupError, TypeError, AttributeError, EOFError, RecursionError, NotImplementedError,
+           zlib.error, zipfile.BadZipFile)  # fmt: skip
 
 
 def save_model(model: FactorModel, path: Path) -> None:
-    """Write `path`.npz and `path`.json; the same model gives the same bytes.
+    """Write `path`.npz and `path`.json; the same model gives the same bytes. Files appear whole or not at all.
 
     Args:
         model: what to write.
@@ -39,13 +43,16 @@ def save_model(model: FactorModel, path: Path) -> None:
         arrays[f"{family}.columns"] = np.searchsorted(kept_roles, columns).astype(np.uint16)
         arrays[f"{family}.weights"] = np.round(factor.weights[rows, columns], _DIGITS).astype(np.float32)
     path.parent.mkdir(parents=True, exist_ok=True)
-    with zipfile.ZipFile(path.with_suffix(".npz"), "w", zipfile.ZIP_DEFLATED, compresslevel=9) as archive:
+    packed = io.BytesIO()
+    with zipfile.ZipFile(packed, "w", zipfile.ZIP_DEFLATED, compresslevel=9) as archive:
         for name, array in arrays.items():
             buffer = io.BytesIO()
             np.lib.format.write_array(buffer, np.ascontiguousarray(array), allow_pickle=False)
             archive.writestr(zipfile.ZipInfo(f"{name}.npy", _EPOCH), buffer.getvalue(), zipfile.ZIP_DEFLATED, 9)
     data = {"version": VERSION, "notes": dict(model.notes), "factors": names}
-    path.with_suffix(".json").write_text(json.dumps(data, indent=0, sort_keys=True) + "\n", encoding="utf-8")
+    text = json.dumps(data, indent=0, sort_keys=True) + "\n"
+    _replace(path.with_suffix(".npz"), packed.getvalue())
+    _replace(path.with_suffix(".json"), text.encode())
 
 
 def load_model(path: Path) -> FactorModel:
@@ -58,6 +65,7 @@ def load_model(path: Path) -> FactorModel:
     weights_path = path.with_suffix(".npz")
     factors: dict[str, Factor] = {}
     try:
+        notes = dict(data["notes"])
         with np.load(weights_path, allow_pickle=False) as arrays:
             for family, names in data["factors"].items():
                 weights = np.zeros((len(names["facts"]), len(names["roles"])))
@@ -65,9 +73,9 @@ def load_model(path: Path) -> FactorModel:
                 factors[family] = Factor(tuple(names["facts"]), tuple(names["roles"]), weights)
     except FileNotFoundError:
         raise ModelError(f"{weights_path}: no such weights; `make weights` rebuilds them") from None
-    except (OSError, ValueError, KeyError, IndexError, EOFError, zipfile.BadZipFile) as error:
+    except _DAMAGE as error:
         raise ModelError(f"{weights_path}: damaged weights ({error}); `make weights` rebuilds them") from error
-    return FactorModel(factors, data["notes"])
+    return FactorModel(factors, notes)
 
 
 def _names(path: Path) -> Mapping[str, Any]:
@@ -76,8 +84,14 @@ def _names(path: Path) -> Mapping[str, Any]:
         version = data["version"]
     except FileNotFoundError:
         raise ModelError(f"{path}: no such weights; `make weights` rebuilds them") from None
-    except (OSError, ValueError, KeyError, TypeError) as error:
+    except _DAMAGE as error:
         raise ModelError(f"{path}: damaged weights ({error}); `make weights` rebuilds them") from error
     if version != VERSION:
         raise ModelError(f"{path}: weights of version {version}; this program reads version {VERSION}")
     return dict(data)
+
+
+def _replace(path: Path, content: bytes) -> None:
+    whole = path.with_name(path.name + ".part")
+    whole.write_bytes(content)
+    os.replace(whole, path)
