@@ -32,6 +32,7 @@ _CLOSING_TIME = 0.4
 _OPENING_TIME = 0.3
 _HOLDING_TIME = 0.2
 _RESTARTS = 4
+_TURNS_CHECKED = 4
 _LINES = ("approach", "lift", "lower", "retreat")
 
 
@@ -104,14 +105,14 @@ class Attempt:
         self.taken = True
 
     def check_put(self, grasp: Grasp, goals: list[tuple[Box, str]]) -> None:
-        """Refuses a grasp early when its hand cannot be where any of the destinations would have it.
+        """Refuses a grasp early when its hand cannot be where the best of the destinations would have it.
 
         Raises:
             UnreachableTarget: for all of them.
         """
         grip = grasp.tool.inverse() @ self.scene.box(grasp.box).pose
         error: MotionError | None = None
-        for goal, _ in goals:
+        for goal, _ in goals[:_TURNS_CHECKED]:
             try:
                 solve_ik(self.arm, goal.pose @ grip.inverse(), rng=self.rng, restarts=2)
                 return
