@@ -79,13 +79,22 @@ class Executor:
         Raises:
             LanguageError: the instruction is empty.
         """
+        grounding, step = self.ground(text, world, history)
+        return self.execute(grounding, world, watch, (*steps, step))
+
+    def ground(self, text: str, world: World, history: Sequence[str] = ()) -> tuple[Grounding, Step]:
+        """What an instruction means, and the step that finding out was.
+
+        Raises:
+            LanguageError: the instruction is empty.
+        """
         if self._grounder is None:
             from grounding import Grounder
 
             self._grounder = Grounder.load()
         start = time.perf_counter()
         grounding = self._grounder.ground(text, world, history)
-        return self.execute(grounding, world, watch, (*steps, Step("ground", time.perf_counter() - start)))
+        return grounding, Step("ground", time.perf_counter() - start)
 
     def execute(
         self, grounding: Grounding, world: World, watch: Watch | None = None, steps: tuple[Step, ...] = ()

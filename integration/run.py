@@ -11,7 +11,7 @@ import json
 import os
 import sys
 from collections.abc import Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, nullcontext
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NoReturn
 
@@ -110,12 +110,15 @@ def _run(args: argparse.Namespace) -> int:
 
     with _watching(args, world) as watch:
         executor, loading = started(arm=args.arm, seed=args.seed)
-        report = executor.run(args.text, world, watch=watch, steps=(loading,))
-    hint = None
-    if not args.no_pictures:
-        from integration.pictures import save_pictures
+        grounding, step = executor.ground(args.text, world)
+        drawing = None
+        if not args.no_pictures:
+            from integration.pictures import Drawing
 
-        report, hint = save_pictures(report, args.output)
+            drawing = Drawing(grounding, world, args.output)
+        with drawing or nullcontext():
+            report = executor.execute(grounding, world, watch, (loading, step))
+            report, hint = (report, None) if drawing is None else drawing.finished(report)
     _show(report, args, hint)
     return report.exit_code
 
