@@ -7,7 +7,7 @@ import shutil
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from grounding.pictures.marks import meaning_of, telling
+from grounding.pictures.marks import listed, meaning_of, telling
 from grounding.result import Grounding, PhraseGrounding
 from grounding.symbols import ObjectSymbol
 from integration.checks import Check, gathered
@@ -80,12 +80,12 @@ def phrase_tree(grounding: Grounding, style: Style | None = None) -> list[str]:
 
 def _understood(grounding: Grounding, style: Style) -> list[str]:
     lines = [f"  {line}" for line in phrase_tree(grounding, Style(style.width - 2, style.unicode, style.colors))]
-    goals = [f"{a.action} {' '.join(a.objects)}  {a.probability:.2f}" for a in grounding.actions]
+    goals = [f"{a.action} {listed(a.objects)}  {a.probability:.2f}" for a in grounding.actions]
     head = f"{'Understood':<12}{', '.join(goals)}" if goals else f"Understood  {grounding.outcome.replace('_', ' ')}"
     if grounding.unknown_words:
         lines.append(f"  unknown words: {', '.join(grounding.unknown_words)}")
     for action in grounding.alternatives[:4]:
-        other = f"{action.action} {' '.join(action.objects)}  {action.probability:.2f}"
+        other = f"{action.action} {listed(action.objects)}  {action.probability:.2f}"
         lines.append(f"  {'or' if goals else 'perhaps'} {other}")
     return [head, *lines]
 

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import re
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -99,18 +100,23 @@ def meaning_of(symbol: Symbol) -> str:
         case Ordinal(number):
             return "last" if number == LAST else f"number {number}"
         case Container(kind, objects):
-            return f"{kind} of {' '.join(objects)}" if objects else kind
+            return f"{kind} of {listed(objects)}" if objects else kind
         case Region(relation, kind, objects):
             whole = "" if kind == "object" else f"the {kind} of "
-            return f"{_RELATIONS[relation]} {whole}{' '.join(objects)}".strip()
+            return f"{_RELATIONS[relation]} {whole}{listed(objects)}".strip()
         case ObjectAttribute(label, color, relation, index):
             return _said(color, label, relation, None if index in (None, 1) else f"number {index}")
         case ContainerAttribute(label, color, relation, number):
             return _said(None if number is None else str(number), color, label, relation)
         case Action(kind, objects, destination):
             where = "" if destination is None else meaning_of(destination)
-            return " ".join(part for part in (kind, *objects, where) if part)
+            return " ".join(part for part in (kind, listed(objects), where) if part)
     return str(symbol)
+
+
+def listed(names: Iterable[str]) -> str:
+    """Names in the order in which people count: b2 before b10."""
+    return " ".join(sorted(names, key=lambda name: [int(p) if p.isdigit() else p for p in re.split(r"(\d+)", name)]))
 
 
 def _said(*parts: str | None) -> str:
@@ -131,7 +137,8 @@ def marks_of(grounding: Grounding) -> tuple[Mark, ...]:
         for role, objects, probability, meaning in _marked(phrase):
             key = (role, frozenset(objects))
             taken = [frozenset(mark.objects) for mark in marks if mark.role == role]
-            if key in seen or len(marks) >= _MOST or (role == "object" and any(key[1] <= other for other in taken)):
+            known = any(key[1] <= other if role == "object" else key[1] >= other for other in taken)
+            if key in seen or known or len(marks) >= _MOST:  # of containers the outer phrase has named the narrower one
                 continue
             seen.add(key)
             marks.append(Mark(phrase.text, role, objects, probability, MARKS[len(marks)], None, meaning))
@@ -183,10 +190,10 @@ def _of_action(grounding: Grounding, action: GroundedAction, color: Rgb) -> Mark
         and {name for symbol, _ in expressed(phrase) for name in _objects(symbol)} == set(action.objects)
     ]
     text = min(named, key=lambda phrase: (phrase.depth, phrase.words)).text if named else grounding.instruction
-    meaning = f"{action.action} {' '.join(action.objects)}"
+    meaning = f"{action.action} {listed(action.objects)}"
     place = action.destination
     if place is not None and place.relation is not None:
-        meaning += f" {_RELATIONS.get(place.relation, place.relation)} {' '.join(place.reference)}".rstrip()
+        meaning += f" {_RELATIONS.get(place.relation, place.relation)} {listed(place.reference)}".rstrip()
     if place is None:
         return Mark(text, "object", action.objects, action.probability, color, None, meaning)
     return Mark(text, "object", action.objects, action.probability, color, np.array(place.position), meaning)

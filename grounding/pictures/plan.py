@@ -9,10 +9,11 @@ from numpy.typing import ArrayLike
 from PIL import Image
 
 from grounding.pictures.canvas import Canvas
+from grounding.pictures.labels import name_beside, name_on
 from grounding.pictures.marks import Mark
 from grounding.pictures.outlines import convex_hull, corners_of, outline_of, rounded_hull
 from grounding.pictures.overlay import draw_areas, draw_destinations, draw_marks
-from grounding.pictures.palette import EDGE, FAINT, GROUND, INK, PAPER, ROBOT, TABLE, color_of, legible_on, mixed
+from grounding.pictures.palette import EDGE, FAINT, GROUND, INK, PAPER, ROBOT, TABLE, color_of, mixed
 from grounding.pictures.sheet import Row, Sheet, mark_rows
 from grounding.world import FURNITURE, Array, World, WorldObject
 
@@ -91,8 +92,7 @@ def draw_plan(
     corners = {item.id: view(corners_of(item)) for item in things}
     draw_areas(canvas, marks, corners)
     covered = {item.id for item in things if any(_covers(other, item) for other in things)}
-    for item in things:
-        _draw_object(canvas, view, item, item.id not in covered)
+    name_beside(canvas, [i.id for i in things if not _draw_object(canvas, view, i, i.id not in covered)], corners)
     if world.speaker is not None:
         _draw_speaker(canvas, view, world.speaker.position, world.speaker.yaw, sheet.body)
     for arm, hand in sorted((hands or {}).items()):
@@ -135,7 +135,8 @@ def _draw_sides(canvas: Canvas, body: tuple[float, float, float, float]) -> None
     canvas.text((right - 24, bottom - 20), "robot's right", 15, FAINT, "rm")
 
 
-def _draw_object(canvas: Canvas, view: View, item: WorldObject, named: bool) -> None:
+def _draw_object(canvas: Canvas, view: View, item: WorldObject, named: bool) -> bool:
+    """Draws an object; False where its name is wanted but has no room on it."""
     color = color_of(item.color)
     corners = corners_of(item)
     order = np.argsort(corners[:, 2], kind="stable")
@@ -147,10 +148,7 @@ def _draw_object(canvas: Canvas, view: View, item: WorldObject, named: bool) -> 
     canvas.polygon(convex_hull(view(corners)), fill=side, line=mixed(color, INK, 0.55), width=1)
     top = convex_hull(upper)
     canvas.polygon(top, fill=color, line=mixed(color, INK, 0.45), width=1)
-    if named:
-        size = min(14.0, 0.42 * float(np.ptp(top, axis=0).min()))
-        if size >= 8:
-            canvas.text(upper.mean(axis=0), item.id, size, legible_on(color), "mm")
+    return not named or name_on(canvas, item.id, upper, color)
 
 
 def _draw_hand(canvas: Canvas, view: View, arm: str, hand: Array) -> None:

@@ -1,6 +1,6 @@
 from grounding import GroundedAction, Grounding, PhraseGrounding
 from grounding.pictures import marks_of, meaning_of
-from grounding.pictures.marks import expressed
+from grounding.pictures.marks import expressed, listed
 from grounding.symbols import Container, ObjectSymbol, parse_symbol
 
 ROW = Container("row", ("b1", "b2", "b3"))
@@ -58,3 +58,16 @@ def test_meanings_are_short_words():
         "ordinal(-1)": "last",
     }
     assert {text: meaning_of(parse_symbol(text)) for text in told} == told
+
+
+def test_a_wider_container_within_a_phrase_that_named_a_narrower_one_is_not_marked():
+    row, group = Container("row", ("b1", "b2")), Container("group", ("b1", "b2", "b3"))
+    grounding = Grounding(
+        "x", "grounded", (GroundedAction("pick", ("b9",), 0.9),),
+        phrases=(phrase("the row of red blocks", 1, (row, 0.9)), phrase("red blocks", 3, (group, 0.9))),
+    )  # fmt: skip
+    assert [mark.objects for mark in marks_of(grounding)] == [("b9",), ("b1", "b2")]
+
+
+def test_names_are_listed_as_people_count():
+    assert listed(["b10", "b9", "a", "b1"]) == "a b1 b9 b10"
