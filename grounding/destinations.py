@@ -2,19 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 
 import numpy as np
 
+from grounding.geometry.regions import in_region
 from grounding.result import Destination
 from grounding.symbols import Region
 from grounding.world import FURNITURE, Array, World, WorldObject
 
 CLEARANCE = 0.03  # free space beside a placed object, so that fingers can leave it [m]
 STEP = 0.01  # of the search for a free place [m]
+FARTHEST = 0.4  # that it looks from what the words mean best [m]
 MARGIN = 0.02  # from the table's edge [m]
 
 _DIRECTIONS = {"left": (0.0, 1.0), "right": (0.0, -1.0), "back": (1.0, 0.0), "front": (-1.0, 0.0)}
+_BATCH = 64  # places that are looked at together
 _BESIDE = ("front", "left", "right", "back")
 
 
@@ -34,15 +37,28 @@ def find_destination(region: Region, moved: Iterable[str], world: World) -> Dest
     if region.relation == "top" and region.objects and not _furniture(region, world):
         return _on_top(region, item, names, world)
     table = _table(world, item)
-    if table is None:
+    if table is None or region.relation == "bottom":
         return None
     others = [o for o in world.objects if o.id not in names and o.type not in FURNITURE]
     height = float(table.position[2] + table.half_extents[2] + item.size[2] / 2)
-    for place in _candidates(region, item, world, table):
-        if _free(place, item, others, table, region):
-            position = (round(float(place[0]), 5), round(float(place[1]), 5), round(height, 5))
-            return Destination(position, region.relation, region.objects)
+    places = _candidates(region, item, world, table)
+    places = places[_free(places, item, others, table)]
+    points = [(x, y, round(height, 5)) for x, y in np.round(places, 5).tolist()]
+    for start in range(0, len(points), _BATCH):
+        batch = points[start : start + _BATCH]
+        fitting = np.flatnonzero(_obeys(region, [item.moved(point) for point in batch], world))
+        if len(fitting):
+            return Destination(batch[int(fitting[0])], region.relation, region.objects)
     return None
+
+
+def _obeys(region: Region, placed: list[WorldObject], world: World) -> np.ndarray:
+    """Which placed objects are where the words want them, as these would be understood of what is there."""
+    if region.relation == "far" or (region.relation == "center" and len(region.objects) < 2):
+        return np.ones(len(placed), dtype=bool)
+    if region.relation == "top":  # of furniture: on it
+        return np.ones(len(placed), dtype=bool)
+    return in_region(region.relation, [world[name] for name in region.objects], placed)
 
 
 def _furniture(region: Region, world: World) -> bool:
@@ -70,23 +86,24 @@ def _on_top(region: Region, item: WorldObject, names: list[str], world: World) -
     return Destination((x, y, top + float(item.size[2]) / 2), "top", region.objects)
 
 
-def _candidates(region: Region, item: WorldObject, world: World, table: WorldObject) -> Iterator[Array]:
-    """Places on the floor plan, what fits the words best first."""
-    references = [world[name] for name in region.objects]
-    ideals = _ideals(region, item, references, table)
-    yield from ideals
-    for radius in np.arange(STEP, 0.4, STEP):
+def _candidates(region: Region, item: WorldObject, world: World, table: WorldObject) -> Array:
+    """Places on the floor plan, what fits the words best first, shape (n, 2) in [m]."""
+    ideals = np.array(_ideals(region, item, [world[name] for name in region.objects], table))
+    rings = [ideals]
+    for radius in np.arange(STEP, FARTHEST, STEP):
         turns = max(8, int(2 * np.pi * radius / STEP / 2))
-        for ideal in ideals:
-            for angle in np.linspace(0, 2 * np.pi, turns, endpoint=False):
-                yield ideal + radius * np.array([np.cos(angle), np.sin(angle)])
+        angles = np.linspace(0, 2 * np.pi, turns, endpoint=False)
+        around = radius * np.stack([np.cos(angles), np.sin(angles)], axis=1)
+        rings.append((ideals[:, None] + around).reshape(-1, 2))
+    return np.concatenate(rings)
 
 
 def _ideals(region: Region, item: WorldObject, references: list[WorldObject], table: WorldObject) -> list[Array]:
     half = float(item.half_extents[:2].max())
     if region.kind == "robot" or not references:
-        near = table.position[:2] - np.array([table.half_extents[0] * 0.5, 0.0])
-        return [np.asarray(near)]
+        side = _DIRECTIONS.get(region.relation, (0.0, 0.0))[1]
+        away = np.array([-1.0, side]) * table.half_extents[:2] / 2
+        return [np.asarray(table.position[:2] + away)]
     low = np.min([o.position - o.half_extents for o in references], axis=0)[:2]
     high = np.max([o.position + o.half_extents for o in references], axis=0)[:2]
     centre = (low + high) / 2
@@ -104,13 +121,12 @@ def _ideals(region: Region, item: WorldObject, references: list[WorldObject], ta
     return [np.asarray(centre + np.array(_DIRECTIONS[side]) * away) for side in _BESIDE]
 
 
-def _free(place: Array, item: WorldObject, others: list[WorldObject], table: WorldObject, region: Region) -> bool:
+def _free(places: Array, item: WorldObject, others: list[WorldObject], table: WorldObject) -> np.ndarray:
+    """Which places, shape (n, 2), are on the table and clear of other objects."""
     half = float(item.half_extents[:2].max())
     room = table.half_extents[:2] - MARGIN - half
-    if np.any(np.abs(place - table.position[:2]) > room):
-        return False
+    free = np.all(np.abs(places - table.position[:2]) <= room, axis=1)
     for other in others:
         reach = other.half_extents[:2] + half + CLEARANCE - 1e-6
-        if np.all(np.abs(place - other.position[:2]) < reach):
-            return False
-    return True
+        free &= np.any(np.abs(places - other.position[:2]) >= reach, axis=1)
+    return free
