@@ -245,8 +245,8 @@ def parse_symbol(text: str) -> Symbol:
     sections = [section.strip() for section in body.split(";")]
     try:
         return _build(form, sections)
-    except (ValueError, IndexError, KeyError) as error:
-        raise SymbolError(f"symbol {text!r} does not have the form of {form!r}: {error}") from error
+    except (SymbolError, ValueError) as error:
+        raise SymbolError(f"no symbol: {text!r}: {error}") from error
 
 
 def parse_symbols(text: str) -> frozenset[Symbol]:
@@ -311,39 +311,46 @@ def _build(form: str, sections: list[str]) -> Symbol:
     def number(text: str | None) -> int | None:
         return None if text is None else int(text)
 
-    def one() -> str:
-        if len(sections) != 1 or not sections[0]:
-            raise ValueError("expected one value")
-        return sections[0]
+    def expect(*counts: int) -> None:
+        if len(sections) not in counts or not sections[0]:
+            wanted = " or ".join(map(str, counts))
+            raise ValueError(f"expected {wanted} parts between semicolons and found {len(sections) if sections[0] else 0}")
+
+    def members(section: int) -> tuple[str, ...]:
+        return tuple(sections[section].split()) if len(sections) > section else ()
+
+    def region(section: int) -> Region:
+        relation, kind = fields(section, 2)
+        return Region(str(relation), str(kind), members(section + 1))
 
     if form == "container":
-        return Container(sections[0], tuple(sections[1].split()) if len(sections) > 1 else ())
+        expect(1, 2)
+        return Container(sections[0], members(1))
     if form == "attribute":
+        expect(1)
         object_type, color, relation, index = fields(0, 4)
         return ObjectAttribute(object_type, color, relation, number(index))
     if form == "collection":
+        expect(1)
         object_type, color, relation, count = fields(0, 4)
         return ContainerAttribute(object_type, color, relation, number(count))
     if form == "region":
-        relation, kind = fields(0, 2)
-        return Region(str(relation), str(kind), tuple(sections[1].split()))
+        expect(2)
+        return region(0)
     if form == "action":
-        objects = tuple(sections[1].split()) if len(sections) > 1 else ()
-        destination = None
-        if len(sections) > 2:
-            relation, kind = fields(2, 2)
-            destination = Region(str(relation), str(kind), tuple(sections[3].split()))
-        return Action(sections[0], objects, destination)
+        expect(1, 2, 4)
+        return Action(sections[0], members(1), region(2) if len(sections) > 2 else None)
     simple: dict[str, Callable[[str], Symbol]] = {
         "object": ObjectSymbol,
         "type": ObjectType,
         "color": ObjectColor,
         "spatial": SpatialReference,
     }
-    if form in simple:
-        return simple[form](one())
     counted: dict[str, Callable[[int], Symbol]] = {"cardinal": Cardinal, "ordinal": Ordinal}
-    if form in counted:
-        return counted[form](int(one()))
-    raise KeyError(f"unknown form {form!r}; known are {', '.join([*simple, *counted])}, container, attribute, "
-                   "collection, region, action")  # fmt: skip
+    if form in simple or form in counted:
+        expect(1)
+        if form == "object" and len(members(0)) != 1:
+            raise ValueError("expected one id")
+        return simple[form](sections[0]) if form in simple else counted[form](int(sections[0]))
+    raise ValueError(f"unknown form {form!r}; known are {', '.join([*simple, *counted])}, container, attribute, "
+                     "collection, region, action")  # fmt: skip

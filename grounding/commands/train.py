@@ -15,14 +15,15 @@ import models
 from grounding.commands import SUMMARIES
 from grounding.corpus.format import Corpus
 from grounding.corpus.loading import load_corpus
-from grounding.corpus.treebank import read_trees
+from grounding.corpus.treebank import build_variants, read_trees
 from grounding.factors import save_model
 from grounding.features import FAMILIES
 from grounding.geometry.layout import Layout
 from grounding.language.grammar import Grammar
 from grounding.learning import learn
-from grounding.learning.examples import annotated
+from grounding.learning.examples import Annotated, annotated
 
+VARIANTS = 6
 PENALTY = 0.3  # chosen on held-out sentences, see benchmarks/learning.py
 
 
@@ -35,6 +36,8 @@ def add_arguments(subparsers: Any) -> None:
                         help="folder of *.trees files that the grammar is learned from, beside the corpus")  # fmt: skip
     parser.add_argument("--output", type=Path, default=models.ROOT, metavar="DIR",
                         help="where grammar.json, weights.npz and weights.json go (default: models)")  # fmt: skip
+    parser.add_argument("--variants", type=int, default=VARIANTS, metavar="N",
+                        help="so many variants of every tree are annotated and learned from as well")  # fmt: skip
     parser.add_argument("--penalty", type=float, default=PENALTY, help="strength of the L2 regularisation")
 
 
@@ -47,17 +50,23 @@ def run(args: argparse.Namespace) -> int:
     _say(f"grammar from {len(trees)} trees")
     grammar = Grammar.learn(trees.values())
     (args.output / models.GRAMMAR.name).write_text(grammar.to_json(), encoding="utf-8")
-    layouts = {name: Layout(world) for name, world in corpus.worlds.items()}
-    examples = [annotated(e.tree, e.groundings, layouts[e.world]) for e in corpus.examples]
-    _say(f"factors from {len(examples)} examples in {len(layouts)} worlds")
+    _say(f"{args.variants} variants of each tree, annotated")
+    variants = build_variants(read_trees(args.trees), models.SCENES, args.variants)
+    examples = [*_examples(corpus), *_examples(variants)]
+    _say(f"factors from {len(examples)} examples")
     model = learn(examples, args.penalty, _progress(), {"examples": len(examples), "corpus": _fingerprint(corpus)})
     save_model(model, args.output / models.WEIGHTS.name)
     summary = {
-        "trees": len(trees), "examples": len(examples), "worlds": len(layouts), "features": model.feature_count,
+        "trees": len(trees), "examples": len(examples), "features": model.feature_count,
         "seconds": round(time.perf_counter() - start, 1), "output": str(args.output),
     }  # fmt: skip
     print(json.dumps(summary))
     return 0
+
+
+def _examples(corpus: Corpus) -> list[Annotated]:
+    layouts = {name: Layout(world) for name, world in corpus.worlds.items()}
+    return [annotated(e.tree, e.groundings, layouts[e.world]) for e in corpus.examples]
 
 
 def _progress() -> Callable[[str], None]:

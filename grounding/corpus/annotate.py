@@ -116,8 +116,8 @@ class _Annotator:
         if len(children) != 2:
             raise NotAnnotatable(f"NP {phrase.text!r}: construction not covered")
         head, modifier = children
-        if "unknown" in (head.sort, modifier.sort):
-            return Meaning("unknown")
+        if "nothing" in (head.sort, modifier.sort) or _is_empty(modifier):
+            return Meaning("nothing")
         if head.sort == "one":
             return self._one(phrase, head, modifier)
         if head.sort == "many":
@@ -326,8 +326,8 @@ class _Annotator:
                 return Meaning("region", frozenset({region}), region=region, preposition="closest to")
             raise NotAnnotatable(f"PP {phrase.text!r}: construction not covered")
         stands_on = preposition in ("on", "onto", "upon") and child.sort in ("one", "table", "container", "many")
-        if child.sort == "unknown":
-            return child if preposition in _COPYING else Meaning("unknown")
+        if child.sort == "nothing" or (_is_empty(child) and preposition not in _COPYING):
+            return replace(child, preposition=preposition) if preposition in _COPYING else Meaning("nothing")
         if preposition in _RELATIONS and (stands_on or preposition not in _COPYING):
             if child.sort == "robot":
                 if preposition not in ("near", "close to"):
@@ -355,7 +355,7 @@ class _Annotator:
                 return replace(told[0], symbols=_passed(told[0]))
             raise NotAnnotatable(f"VP {phrase.text!r}: construction not covered")
         kinds = sorted(s.kind for s in meanings(verbs[0]) if isinstance(s, Action))
-        if any(child.sort == "unknown" for child in told):
+        if any(child.sort == "nothing" or _is_empty(child) for child in told):
             return Meaning("action", frozenset(Action(kind) for kind in kinds[:1]))
         if not kinds or not told or told[0].sort not in ("one", "many", "container"):
             raise NotAnnotatable(f"VP {phrase.text!r}: no action on objects")
@@ -382,9 +382,7 @@ class _Annotator:
         actions: frozenset[Symbol] = frozenset(
             Action(kind, self.layout.names(mask), region)
             for mask in sets
-            if region is None
-            or not self.layout.mask(region.objects) & mask
-            or told[-1].sort == "direction"
+            if region is None or not self.layout.mask(region.objects) & mask or told[-1].sort == "direction"
         )
         return Meaning("action", actions | {Action(kind)})
 
@@ -483,6 +481,13 @@ class _Annotator:
         if clear and (np.abs(over) < 2 * MARGIN).any():
             raise NotAnnotatable(f"{phrase.text!r}: some stand in between")
         return sum(1 << i for i, value in zip(members, over, strict=True) if value > 0)
+
+
+def _is_empty(meaning: Meaning) -> bool:
+    """Whether a noun phrase means something that is not there."""
+    if meaning.sort == "container":
+        return not meaning.chosen and not meaning.arrangements
+    return meaning.sort in ("one", "many") and not meaning.chosen and not meaning.pool
 
 
 def _means_member(modifier: Meaning) -> bool:

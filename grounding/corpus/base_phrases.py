@@ -63,7 +63,7 @@ def annotate_base(phrase: Phrase, layout: Layout, arrangements: tuple[tuple[str,
     if said.robot:
         return Meaning("robot", frozenset({Container("robot")}))
     if said.unknown:
-        return Meaning("unknown", frozenset(_labels(said)))
+        return Meaning("nothing", frozenset(_labels(said)))
     if "table" in said.types:
         tables = [item.id for item in layout.world.objects if item.type == "table"]
         if len(tables) != 1 or said.relations or said.colors:

@@ -18,7 +18,8 @@ class Meaning:
 
     Attributes:
         sort: what the phrase speaks of: "one" (a single object), "many" (several objects), "container", "direction",
-            "region", "robot", "table", "action", "empty" (particles and pronouns).
+            "region", "robot", "table", "action", "nothing" (what is not there or not known),
+            "empty" (particles and pronouns).
         symbols: the symbols that are true of the phrase.
         object_type: label, or None.
         color: label, or None.

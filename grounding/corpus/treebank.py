@@ -13,11 +13,14 @@ from grounding.corpus.annotate import annotate
 from grounding.corpus.composer import compose
 from grounding.corpus.format import Corpus, Example
 from grounding.corpus.meaning import NotAnnotatable
+from grounding.corpus.variation import vary
 from grounding.errors import CorpusError, TreeError
 from grounding.geometry.layout import Layout
 from grounding.language.tree import Phrase, from_brackets
 from grounding.symbols import Container
 from grounding.world import World, load_world
+
+MOST_TRIED = 120  # worlds in which a tree is tried
 
 
 @dataclass(frozen=True, eq=False)
@@ -80,20 +83,21 @@ def composed_worlds(count: int, seed: int) -> Iterator[LaidWorld]:
 
 
 def annotate_everywhere(
-    trees: Sequence[Phrase], worlds: Sequence[LaidWorld], limits: Mapping[str, int], seed: int
+    trees: Sequence[Phrase], worlds: Sequence[LaidWorld], limits: Mapping[str, float], seed: int, prefix: str = "t"
 ) -> Iterator[Example]:
     """Annotate every tree in some of the worlds where it can be.
 
     Args:
         trees: gold trees.
         worlds: to choose from; each tree tries them in an order of its own.
-        limits: how many examples of each outcome a tree gets at most.
+        limits: how many examples of each outcome a tree gets at most; a fraction is the chance of one more.
         seed: of that order.
+        prefix: of the examples' ids.
     """
     for number, tree in enumerate(trees):
         rng = np.random.default_rng((seed, zlib.crc32(tree.text.encode())))
-        left = dict(limits)
-        for place in rng.permutation(len(worlds)):
+        left = {outcome: int(limit + rng.random()) for outcome, limit in limits.items()}
+        for place in rng.permutation(len(worlds))[:MOST_TRIED]:
             world = worlds[int(place)]
             try:
                 groundings, outcome = annotate(tree, world.layout, world.arrangements)
@@ -101,15 +105,39 @@ def annotate_everywhere(
                 continue
             if left.get(outcome, 0) > 0:
                 left[outcome] -= 1
-                yield Example(f"t{number:04d}-{world.name}", world.name, tree.text, tree, groundings, outcome)
-            if not any(left.values()):
+                name = f"{prefix}{number:05d}-{world.name}"
+                yield Example(name, world.name, tree.text, tree, groundings, outcome)
+            if not left.get("grounded", 0):
                 break
 
 
 def build_treebank(trees_folder: Path, scenes_folder: Path, composed: int = 200, seed: int = 1) -> Corpus:
     """Annotate the project's sentences in the shipped scenes and in composed worlds."""
     worlds = [*shipped_worlds(scenes_folder), *composed_worlds(composed, seed)]
-    limits = {"grounded": 5, "ambiguous": 1, "no_referent": 1}
-    examples = tuple(annotate_everywhere(read_trees(trees_folder), worlds, limits, seed))
-    used = {example.world for example in examples}
-    return Corpus(examples, {w.name: w.layout.world for w in worlds if w.name in used})
+    limits = {"grounded": 3, "ambiguous": 0.5, "no_referent": 0.4}
+    return _corpus(annotate_everywhere(read_trees(trees_folder), worlds, limits, seed), worlds)
+
+
+def build_variants(
+    trees: Sequence[Phrase], scenes_folder: Path, variants: int, composed: int = 400, seed: int = 2
+) -> Corpus:
+    """Annotate variants of gold trees, each in a world or two.
+
+    Args:
+        trees: gold trees.
+        scenes_folder: of the shipped scenes.
+        variants: how many of each tree.
+        composed: how many worlds are composed beside the scenes.
+        seed: of worlds and variants.
+    """
+    worlds = [*shipped_worlds(scenes_folder), *composed_worlds(composed, seed)]
+    rng = np.random.default_rng(seed)
+    varied = {str(tree): tree for original in trees for tree in (vary(original, rng) for _ in range(variants))}
+    limits = {"grounded": 1.5, "ambiguous": 0.2, "no_referent": 0.1}
+    return _corpus(annotate_everywhere(list(varied.values()), worlds, limits, seed, "v"), worlds)
+
+
+def _corpus(examples: Iterable[Example], worlds: Sequence[LaidWorld]) -> Corpus:
+    kept = tuple(examples)
+    used = {example.world for example in kept}
+    return Corpus(kept, {w.name: w.layout.world for w in worlds if w.name in used})

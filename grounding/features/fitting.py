@@ -43,13 +43,11 @@ class Fitting:
     def lists(self) -> dict[str, tuple[Arrangement, ...]]:
         """Lists of candidates, by how they were narrowed down; the most prominent of overlapping ones only."""
         layout = self.layout
-        of_kind = [
-            a for a in layout.arrangements if (not self.kinds or a.kind in self.kinds) and not a.mask & ~self.wanted
-        ]
-        counts = {count for _, count in self.sets.numbers}
-        found = {"seen": layout.prominent(of_kind), "evident": layout.prominent([a for a in of_kind if a.evident])}
+        seen = layout.fitting(self.kinds, self.wanted, frozenset())
+        found = {"seen": seen, "evident": tuple(a for a in seen if a.evident)}
+        counts = frozenset(count for _, count in self.sets.numbers)
         if counts:
-            found["counted"] = layout.prominent([a for a in of_kind if a.count in counts])
+            found["counted"] = layout.fitting(self.kinds, self.wanted, counts)
         for role in ("mod", "inner", "head"):
             source = self.sources.get(role)
             if source is None:

@@ -42,9 +42,11 @@ class Source(NamedTuple):
     actions: tuple[Action, ...]
     robot: bool
     symbols: frozenset[Symbol]
+    concrete: str
 
 
-NOTHING = Source((), (), (), (), (), (), 0, (), (), (), (), (), (), False, frozenset())
+NOTHING = Source((), (), (), (), (), (), 0, (), (), (), (), (), (), False, frozenset(), "")
+_CONCRETE = (ObjectType, ObjectColor, SpatialReference, Cardinal, Ordinal)
 
 
 def digest(symbols: frozenset[Symbol], layout: Layout) -> Source:
@@ -104,8 +106,19 @@ def digest(symbols: frozenset[Symbol], layout: Layout) -> Source:
     return Source(
         tuple(types), tuple(colors), tuple(relations), tuple(indices), tuple(numbers), tuple(kinds), objects,
         tuple(furniture), tuple(containers), tuple(regions), tuple(attributes), tuple(collections), tuple(actions),
-        robot, symbols,
+        robot, symbols, _concrete(symbols),
     )  # fmt: skip
+
+
+def _concrete(symbols: frozenset[Symbol]) -> str:
+    """The concrete symbols among some, as one text."""
+    return " ".join(
+        sorted(
+            str(symbol)
+            for symbol in symbols
+            if isinstance(symbol, _CONCRETE) or (isinstance(symbol, Container | Action) and not symbol.objects)
+        )
+    )
 
 
 def _add(known: dict[str, None], value: str | None) -> None:

@@ -33,6 +33,7 @@ class Layout:
         self.positions = world.positions
         self._ranked: dict[tuple[int, str], tuple[int, ...]] = {}
         self._regions: dict[tuple[str, tuple[str, ...]], int] = {}
+        self._fitting: dict[tuple[tuple[str, ...], int, frozenset[int]], tuple[Arrangement, ...]] = {}
         self._matching: dict[tuple[str | None, str | None], int] = {}
 
     @cached_property
@@ -49,6 +50,17 @@ class Layout:
     def arrangements(self) -> tuple[Arrangement, ...]:
         """Lines, circles, clusters and towers."""
         return find_arrangements(self.positions, self.edges)
+
+    def fitting(self, kinds: tuple[str, ...], wanted: int, counts: frozenset[int]) -> tuple[Arrangement, ...]:
+        """The prominent arrangements of some kinds (any if empty), made of wanted objects, of some counts (any)."""
+        key = (kinds, wanted, counts)
+        if key not in self._fitting:
+            self._fitting[key] = self.prominent(
+                a
+                for a in self.arrangements
+                if (not kinds or a.kind in kinds) and not a.mask & ~wanted and (not counts or a.count in counts)
+            )
+        return self._fitting[key]
 
     @cached_property
     def by_members(self) -> Mapping[tuple[str, int], Arrangement]:
@@ -102,14 +114,15 @@ class Layout:
         return tuple(self.ids[i] for i in indices_of(mask))
 
     def matching(self, object_type: str | None, color: str | None) -> int:
-        """The things of a type and a colour; None where nothing is asked. An unknown colour matches none named."""
+        """The things of a type and a colour; None where nothing is asked.
+
+        A thing whose colour nobody knows may have the colour asked for, where none is known to have it.
+        """
         key = (object_type, color)
         if key not in self._matching:
-            self._matching[key] = mask_of(
-                i
-                for i, item in enumerate(self.things)
-                if (object_type is None or item.type == object_type) and (color is None or item.color == color)
-            )
+            of_type = [i for i, item in enumerate(self.things) if object_type is None or item.type == object_type]
+            known = [i for i in of_type if color is None or self.things[i].color == color]
+            self._matching[key] = mask_of(known or [i for i in of_type if self.things[i].color == "unknown"])
         return self._matching[key]
 
     def extent(self, mask: int, direction: str) -> Array:

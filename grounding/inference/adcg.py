@@ -8,17 +8,21 @@ kept for every phrase.
 from __future__ import annotations
 
 import math
+from collections import OrderedDict
 from collections.abc import Sequence
 
 from grounding.factors.model import FactorModel
-from grounding.features import STAGES, Family, Scope
+from grounding.features import STAGES, Scope
 from grounding.features.context import context_facts
 from grounding.geometry.layout import Layout
 from grounding.inference.hypotheses import Hypothesis, Inference, best_combinations, best_sets
 from grounding.language.tree import Phrase
 from grounding.symbols import Symbol
 
-REPORTED = 0.02  # symbols less likely than this are not worth a place in a report
+KEPT = 20_000  # phrases whose concrete symbols are remembered
+_REPORTED_ODDS = math.log(0.02 / 0.98)  # symbols less likely than this are not worth a place in a report
+
+Judged = tuple[frozenset[Symbol], float, dict[Symbol, float]]  # symbols, log probability, probabilities of each
 
 
 class Adcg:
@@ -36,6 +40,20 @@ class Adcg:
         self.threshold = threshold
         self.beam = beam
         self.least = math.log(least)
+        self.scorers = tuple(model.scorer(family.name for family in families) for families in STAGES)
+        self.cutoff = max(self.least, _log_odds(threshold))
+        self._concrete: OrderedDict[object, list[Judged]] = OrderedDict()
+
+    def remembered(self, key: object) -> list[Judged] | None:
+        """Concrete symbols inferred before for the same words and children, if they are still known."""
+        return self._concrete.get(key)
+
+    def remember(self, key: object, judged: list[Judged]) -> list[Judged]:
+        """Keep what was inferred; the oldest is forgotten."""
+        self._concrete[key] = judged
+        if len(self._concrete) > KEPT:
+            self._concrete.popitem(last=False)
+        return judged
 
     def infer(self, tree: Phrase, layout: Layout, memory: dict[object, list[Hypothesis]] | None = None) -> Inference:
         """Ground every phrase of a tree.
@@ -87,36 +105,41 @@ class _Run:
             return known
         scope = Scope(phrase, children, self.layout)
         found: list[Hypothesis] = []
-        for concrete, concrete_log, seen in self.judge(scope, STAGES[0], settled=False):
+        for concrete, concrete_log, seen in self.concrete(scope):
             settled = scope.with_concrete(concrete)
-            for abstract, abstract_log, also in self.judge(settled, STAGES[1], settled=True):
+            for abstract, abstract_log, also in self.judge(settled, 1):
                 found.append(Hypothesis(concrete | abstract, concrete_log + abstract_log, (), {**seen, **also}))
         found.sort(key=lambda h: -h.log_probability)
         found = found[: self.settings.beam]
         self.memory[key] = found
         return found
 
-    def judge(
-        self, scope: Scope, families: Sequence[Family], settled: bool
-    ) -> list[tuple[frozenset[Symbol], float, dict[Symbol, float]]]:
-        """The likeliest sets of symbols of some families: (symbols, log probability, probabilities)."""
-        facts = context_facts(scope, settled)
+    def concrete(self, scope: Scope) -> list[Judged]:
+        """The likeliest concrete symbols; they depend on words and on what kinds of things the children say only."""
+        facts = tuple(context_facts(scope, settled=False))
+        said = tuple(sorted((role, source.concrete) for role, source in scope.child_sources.items()))
+        key = (facts, said, scope.layout.types)
+        known = self.settings.remembered(key)
+        if known is None:
+            known = self.settings.remember(key, self.judge(scope, 0, facts))
+        return known
+
+    def judge(self, scope: Scope, stage: int, facts: Sequence[str] | None = None) -> list[Judged]:
+        """The likeliest sets of symbols of one stage."""
+        scorer = self.settings.scorers[stage]
+        values = scorer.values(context_facts(scope, stage == 1) if facts is None else facts)
         symbols: list[Symbol] = []
         odds: list[float] = []
-        for family in families:
-            proposals = family.propose(scope)
-            if not proposals:
-                continue
-            factor = self.settings.model.factors.get(family.name)
-            if factor is None:
-                continue
-            symbols += [symbol for symbol, _ in proposals]
-            odds += factor.log_odds(facts, [roles for _, roles in proposals])
+        for family in STAGES[stage]:
+            if family.name in scorer.role_ids:
+                proposals = family.propose(scope)
+                symbols += [symbol for symbol, _ in proposals]
+                odds += scorer.log_odds(family.name, values, [roles for _, roles in proposals])
         self.evaluations += len(symbols)
         self.symbols += len(symbols)
-        sets = best_sets(odds, self.settings.beam, max(self.settings.least, _log_odds(self.settings.threshold)))
-        likely = {s: _sigmoid(o) for s, o in zip(symbols, odds, strict=True) if o > _log_odds(REPORTED)}
-        return [(frozenset(symbols[i] for i in chosen), log, likely) for chosen, log in sets]
+        sets = best_sets(odds, self.settings.beam, self.settings.cutoff)
+        likely = {s: _sigmoid(o) for s, o in zip(symbols, odds, strict=True) if o > _REPORTED_ODDS}
+        return [(frozenset([symbols[i] for i in chosen]), log, likely) for chosen, log in sets]
 
 
 def _sigmoid(x: float) -> float:
