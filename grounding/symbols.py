@@ -313,8 +313,8 @@ def _build(form: str, sections: list[str]) -> Symbol:
 
     def expect(*counts: int) -> None:
         if len(sections) not in counts or not sections[0]:
-            wanted = " or ".join(map(str, counts))
-            raise ValueError(f"expected {wanted} parts between semicolons and found {len(sections) if sections[0] else 0}")
+            found = len(sections) if sections[0] else 0
+            raise ValueError(f"expected {' or '.join(map(str, counts))} parts, set apart by ;, and found {found}")
 
     def members(section: int) -> tuple[str, ...]:
         return tuple(sections[section].split()) if len(sections) > section else ()
