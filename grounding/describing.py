@@ -38,6 +38,8 @@ def name_object(layout: Layout, object_id: str, among: Sequence[str] = ()) -> st
             rivals, noun = same, coloured
     for rank in range(1, len(_RANKS)):
         for direction, word in _EXTREMES.items():
+            if direction == "center" and rank > 1:
+                continue  # nobody counts outward from the middle
             if layout.nth(rivals, direction, rank) == 1 << index:
                 return f"the {_RANKS[rank]}{word} {noun}"
     return f"the {noun} {object_id}"
