@@ -8,12 +8,15 @@ import os
 import sys
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from grounding.commands import SUMMARIES
 from grounding.errors import CorpusError, CorpusErrors, LanguageError
 from grounding.result import Grounding
 from grounding.world import World, load_worlds
+
+if TYPE_CHECKING:
+    from grounding.grounder import Grounder
 
 _KEYS = ("id", "world", "instruction")
 _SAYS = 200  # progress is told after so many lines
@@ -35,21 +38,29 @@ def run(args: argparse.Namespace) -> int:
     worlds = load_worlds(args.worlds)
     lines = list(_read(args.input, worlds))
     grounder = Grounder.load()
+    args.output.parent.mkdir(parents=True, exist_ok=True)
+    if args.output.is_dir():
+        raise CorpusError(f"{args.output}: is a folder; --output names a file")
     whole = args.output.with_name(args.output.name + ".part")
-    whole.parent.mkdir(parents=True, exist_ok=True)
-    with whole.open("w", encoding="utf-8") as output:
-        for number, line in enumerate(lines, start=1):
-            history = tuple(str(name) for name in line.get("history") or ())
-            try:
-                result = grounder.ground(line["instruction"], worlds[line["world"]], history)
-            except LanguageError as error:
-                result = Grounding(line["instruction"], "not_understood", explanation=str(error))
-            output.write(json.dumps({"id": line["id"], **result.to_json()}) + "\n")
-            if number % _SAYS == 0 or number == len(lines):
-                end = "\n" if number == len(lines) else "\r"
-                print(f"{number} of {len(lines)} instructions", end=end, file=sys.stderr, flush=True)
-    os.replace(whole, args.output)
+    try:
+        with whole.open("w", encoding="utf-8") as output:
+            for number, line in enumerate(lines, start=1):
+                output.write(json.dumps({"id": line["id"], **_ground(grounder, line, worlds).to_json()}) + "\n")
+                if number % _SAYS == 0 or number == len(lines):
+                    end = "\n" if number == len(lines) else "\r"
+                    print(f"{number} of {len(lines)} instructions", end=end, file=sys.stderr, flush=True)
+        os.replace(whole, args.output)
+    finally:
+        whole.unlink(missing_ok=True)
     return 0
+
+
+def _ground(grounder: Grounder, line: dict[str, Any], worlds: dict[str, World]) -> Grounding:
+    history = tuple(str(name) for name in line.get("history") or ())
+    try:
+        return grounder.ground(line["instruction"], worlds[line["world"]], history)
+    except LanguageError as error:
+        return Grounding(line["instruction"], "not_understood", explanation=str(error))
 
 
 def _read(path: Path, worlds: dict[str, World]) -> Iterator[dict[str, Any]]:
@@ -59,7 +70,7 @@ def _read(path: Path, worlds: dict[str, World]) -> Iterator[dict[str, Any]]:
         text = path.read_text(encoding="utf-8")
     except UnicodeDecodeError as error:
         raise CorpusError(f"{path}: not UTF-8 text ({error})") from error
-    for number, line in enumerate(text.splitlines(), start=1):
+    for number, line in enumerate(text.split("\n"), start=1):  # other line separators may stand in a JSON text
         if not line.strip():
             continue
         try:
@@ -83,7 +94,7 @@ def _checked(line: str, worlds: dict[str, World]) -> dict[str, Any]:
             raise CorpusError(f"key {key!r} is missing")
     if not isinstance(data["instruction"], str):
         raise CorpusError(f"'instruction' is a text, not {data['instruction']!r}")
-    if data["world"] not in worlds:
+    if not isinstance(data["world"], str) or data["world"] not in worlds:
         known = ", ".join(sorted(worlds)[:8])
         raise CorpusError(f"no world {data['world']!r}; the worlds file has {known}")
     if data.get("history") is not None and not isinstance(data["history"], list):
