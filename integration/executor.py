@@ -179,7 +179,7 @@ def _verdict(
     for action in actions:
         names = " and ".join([", ".join(action.objects[:-1])] * (len(action.objects) > 1) + [action.objects[-1]])
         arms = list(dict.fromkeys(item.arm for item in handled if item.object in action.objects))
-        hands = f"the {arms[0]} hand" if len(arms) == 1 else "both hands"
+        hands = f"the {arms[0]} hand" if len(arms) == 1 else "the hands, one in each"
         verb = "is" if len(action.objects) == 1 else "are"
         parts.append(
             f"{names} {verb} in {hands}" if action.action == "pick"

@@ -66,6 +66,13 @@ def test_the_arm_that_was_asked_for_is_used(arm):
     assert (report.outcome, report.arms) == ("done", (arm,))
 
 
+def test_two_blocks_are_held_by_two_hands():
+    report = Executor().execute(grounded("pick", "b1", "b8"), scene("groups"))
+    assert (report.outcome, set(report.arms)) == ("done", {"left", "right"})
+    assert [check.object for check in report.checks if check.name == "held"] == ["b1", "b8"]
+    assert "one in each" in report.message
+
+
 def test_more_blocks_than_hands_are_refused():
     report = Executor().execute(grounded("pick", "b1", "b2", "b3"), scene("four"))
     assert (report.outcome, report.exit_code, report.reason) == ("no_plan", 4, "hands")
