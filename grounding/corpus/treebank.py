@@ -13,6 +13,7 @@ from grounding.corpus.annotate import annotate
 from grounding.corpus.composer import compose
 from grounding.corpus.format import Corpus, Example
 from grounding.corpus.meaning import NotAnnotatable
+from grounding.corpus.sparse import colourless, compose_loosely, with_hands
 from grounding.corpus.variation import vary
 from grounding.errors import CorpusError, TreeError
 from grounding.geometry.layout import Layout
@@ -20,6 +21,8 @@ from grounding.language.tree import Phrase, from_brackets
 from grounding.symbols import Container
 from grounding.world import World, load_world
 
+HANDS_SHARE = 0.3
+COLOURLESS_SHARE = 0.1
 MOST_TRIED = 120  # worlds in which a tree is tried
 
 
@@ -75,11 +78,19 @@ def shipped_worlds(folder: Path) -> Iterator[LaidWorld]:
 
 
 def composed_worlds(count: int, seed: int) -> Iterator[LaidWorld]:
-    """Worlds composed at random, digested; the same seed gives the same ones."""
+    """Worlds composed at random, digested; the same seed gives the same ones.
+
+    Half are laid neatly, half loosely; in some the robot's hands are recorded, in some nobody knows the colours.
+    """
     rng = np.random.default_rng(seed)
     for number in range(count):
-        composition = compose(rng)
-        yield lay(f"c{number:03d}", composition.world, composition.containers)
+        composition = compose(rng) if number % 2 else compose_loosely(rng)
+        world = composition.world
+        if rng.random() < HANDS_SHARE:
+            world = with_hands(world)
+        if rng.random() < COLOURLESS_SHARE:
+            world = colourless(world)
+        yield lay(f"c{number:03d}", world, composition.containers)
 
 
 def annotate_everywhere(

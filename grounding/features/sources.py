@@ -103,6 +103,7 @@ def digest(symbols: frozenset[Symbol], layout: Layout) -> Source:
                     numbers[number] = None
             case Action():
                 actions.append(symbol)
+    regions.sort(key=lambda region: region.kind != "robot")
     return Source(
         tuple(types), tuple(colors), tuple(relations), tuple(indices), tuple(numbers), tuple(kinds), objects,
         tuple(furniture), tuple(containers), tuple(regions), tuple(attributes), tuple(collections), tuple(actions),

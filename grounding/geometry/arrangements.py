@@ -12,13 +12,13 @@ from functools import cached_property
 
 import numpy as np
 
-from grounding.geometry.masks import mask_of
+from grounding.geometry.masks import indices_of, mask_of
 from grounding.world import Array
 
-LINE_TOLERANCE = 0.45  # distance from the line [edges]
+LINE_TOLERANCES = ((0.45, 1.7), (1.2, 2.6))  # distance from the line [edges], largest ratio of neighbouring gaps
+ELONGATED = 0.3  # a cluster is a band, seen as a line, when its second axis is at most so long, of the first
 CIRCLE_TOLERANCE = 0.35  # distance from the circle [edges]
 NEIGHBOURS = 8  # pairs and triples are formed among so many nearest neighbours
-GAP_RATIO = 1.7  # a line goes on while its next gap is at most so many times the gap it grew from
 
 
 @dataclass(frozen=True)
@@ -30,7 +30,7 @@ class Arrangement:
         mask: the members, see `grounding.geometry.masks`.
         count: how many they are.
         centroid: mean position, shape (3,) in [m].
-        deviation: root mean square distance from the shape, in edges (0 for groups and towers).
+        deviation: root mean square distance from the shape, over the mean gap of neighbours (0 for groups and towers).
         regularity: 1 for even gaps, towards 0 for uneven ones.
         separation: distance to the nearest other object over the largest gap within; large is apart.
         angle: of a line to the axis that its kind is named after, in [rad].
@@ -52,7 +52,7 @@ class Arrangement:
             return 2.0 + self.count
         if self.kind == "group":
             return float(min(self.separation, 4.0) - 1.1) * (0.5 if self.count == 2 else 1.0)
-        fit = np.exp(-((self.deviation / 0.2) ** 2) - (self.angle / 0.35) ** 2 - ((1 - self.regularity) / 0.3) ** 2)
+        fit = np.exp(-((self.deviation / 0.35) ** 2) - (self.angle / 0.4) ** 2 - ((1 - self.regularity) / 0.6) ** 2)
         return float(fit) * float(self.count - (1.0 if self.kind != "circle" else 2.0)) * min(self.separation, 1.5)
 
     @cached_property
@@ -62,8 +62,13 @@ class Arrangement:
             return True
         if self.kind == "group":
             return self.separation > 2.0 and 3 <= self.count <= 8
-        formed = self.deviation < 0.15 and self.regularity > 0.8 and self.angle < 0.3
-        return self.count >= 3 and formed and self.separation > 0.7
+        if self.kind == "circle":
+            return self.count >= 5 and self.deviation < 0.15 and self.regularity > 0.7 and self.separation > 0.7
+        if self.count < 3 or self.angle > 0.4:
+            return False
+        if self.count == 3:
+            return self.deviation < 0.15 and self.regularity > 0.75 and self.separation > 0.9
+        return self.deviation < 0.3 and self.regularity > 0.55 and self.separation > 0.7
 
 
 def find_arrangements(positions: Array, edges: Array) -> tuple[Arrangement, ...]:
@@ -83,8 +88,12 @@ def find_arrangements(positions: Array, edges: Array) -> tuple[Arrangement, ...]
     if len(flat) >= 2:
         found += find_lines(positions, distances, flat, edge)
         found += find_circles(positions, distances, flat, edge)
-    found += find_groups(positions, distances)
-    return tuple(found)
+    groups = find_groups(positions, distances)
+    known = {a.mask for a in found}
+    found += [
+        band for group in groups if group.mask not in known and (band := _band(positions, distances, group, edge))
+    ]
+    return (*found, *groups)
 
 
 def find_towers(positions: Array, edges: Array) -> tuple[list[Arrangement], np.ndarray]:
@@ -117,17 +126,18 @@ def find_lines(positions: Array, distances: Array, flat: np.ndarray, edge: float
     near = np.argsort(apart, axis=1, kind="stable")[:, 1 : NEIGHBOURS + 1]
     pairs = sorted({(min(i, int(j)), max(i, int(j))) for i in range(count) for j in near[i]})
     runs: dict[int, tuple[int, ...]] = {}
-    for i, j in pairs:
-        gap = apart[i, j]
-        if gap < 0.5 * edge:
-            continue
-        run = _grow(points, i, j, gap, LINE_TOLERANCE * edge)
-        if run is not None:
-            runs.setdefault(mask_of(flat[list(run)]), run)
+    for tolerance, ratio in LINE_TOLERANCES:
+        for i, j in pairs:
+            gap = apart[i, j]
+            if gap < 0.5 * edge:
+                continue
+            run = _grow(points, i, j, gap, min(tolerance * edge, 0.35 * gap), ratio)
+            if run is not None:
+                runs.setdefault(mask_of(flat[list(run)]), run)
     return [_line(positions, distances, flat[list(run)], mask, edge) for mask, run in sorted(runs.items())]
 
 
-def _grow(points: Array, i: int, j: int, gap: float, tolerance: float) -> tuple[int, ...] | None:
+def _grow(points: Array, i: int, j: int, gap: float, tolerance: float, ratio: float) -> tuple[int, ...] | None:
     """The run of points through i and j, in order; None where another point lies between them."""
     direction = (points[j] - points[i]) / gap
     offset = points - points[i]
@@ -140,9 +150,9 @@ def _grow(points: Array, i: int, j: int, gap: float, tolerance: float) -> tuple[
         return None
     steps = np.diff(along[order])
     first, last = places[i], places[j]
-    while first > 0 and gap / GAP_RATIO <= steps[first - 1] <= gap * GAP_RATIO:
+    while first > 0 and gap / ratio <= steps[first - 1] <= gap * ratio:
         first -= 1
-    while last < len(steps) and gap / GAP_RATIO <= steps[last] <= gap * GAP_RATIO:
+    while last < len(steps) and gap / ratio <= steps[last] <= gap * ratio:
         last += 1
     return tuple(int(index) for index in order[first : last + 1])
 
@@ -152,8 +162,9 @@ def _line(positions: Array, distances: Array, members: np.ndarray, mask: int, ed
     centred = points - points.mean(axis=0)
     _, singular, axes = np.linalg.svd(centred, full_matrices=False)
     axis = axes[0]
-    deviation = float(singular[1] / np.sqrt(len(members)) / edge) if len(singular) > 1 else 0.0
     gaps = np.diff(np.sort(centred @ axis))
+    spread = float(singular[1] / np.sqrt(len(members))) if len(singular) > 1 else 0.0
+    deviation = spread / max(float(gaps.mean()), edge / 2)
     lateral = float(np.arctan2(abs(axis[0]), abs(axis[1])))  # 0 along y, pi/2 along x
     kind, angle = ("row", lateral) if lateral <= np.pi / 4 else ("column", np.pi / 2 - lateral)
     return Arrangement(
@@ -166,6 +177,17 @@ def _line(positions: Array, distances: Array, members: np.ndarray, mask: int, ed
         _separation(distances, members, float(gaps.max())),
         float(angle),
     )
+
+
+def _band(positions: Array, distances: Array, group: Arrangement, edge: float) -> Arrangement | None:
+    """A cluster seen as a row or a column, if it is long and narrow."""
+    if group.count < 3:
+        return None
+    members = np.array(list(indices_of(group.mask)))
+    singular = np.linalg.svd(positions[members, :2] - positions[members, :2].mean(axis=0), compute_uv=False)
+    if singular[1] > ELONGATED * singular[0]:
+        return None
+    return _line(positions, distances, members, group.mask, edge)
 
 
 def find_circles(positions: Array, distances: Array, flat: np.ndarray, edge: float) -> list[Arrangement]:
@@ -198,8 +220,9 @@ def find_circles(positions: Array, distances: Array, flat: np.ndarray, edge: flo
         turns = np.diff(np.append(angles, angles[0] + 2 * np.pi))
         if turns.max() > 1.9 * 2 * np.pi / len(members):
             continue
-        deviation = float(np.sqrt(np.mean((np.linalg.norm(points[local] - centre, axis=1) - radius) ** 2)) / edge)
         chords = np.sort(distances[np.ix_(members, members)], axis=1)[:, 1]
+        off_circle = np.linalg.norm(points[local] - centre, axis=1) - radius
+        deviation = float(np.sqrt(np.mean(off_circle**2)) / max(chords.mean(), edge / 2))
         found[mask] = Arrangement(
             "circle",
             mask,
