@@ -18,6 +18,7 @@ from grounding.world import Array
 LINE_TOLERANCES = ((0.45, 1.7), (1.2, 2.6))  # distance from the line [edges], largest ratio of neighbouring gaps
 ELONGATED = 0.3  # a cluster is a band, seen as a line, when its second axis is at most so long, of the first
 CIRCLE_TOLERANCE = 0.35  # distance from the circle [edges]
+SAME = 1e-9  # distances that differ by less are the same [m]
 NEIGHBOURS = 8  # pairs and triples are formed among so many nearest neighbours
 
 
@@ -214,8 +215,6 @@ def find_circles(positions: Array, distances: Array, flat: np.ndarray, edge: flo
         local = np.flatnonzero(inside)
         members = flat[local]
         mask = mask_of(members)
-        if mask in found:
-            continue
         angles = np.sort(np.arctan2(*(points[local] - centre).T[::-1]))
         turns = np.diff(np.append(angles, angles[0] + 2 * np.pi))
         if turns.max() > 1.9 * 2 * np.pi / len(members):
@@ -223,6 +222,8 @@ def find_circles(positions: Array, distances: Array, flat: np.ndarray, edge: flo
         chords = np.sort(distances[np.ix_(members, members)], axis=1)[:, 1]
         off_circle = np.linalg.norm(points[local] - centre, axis=1) - radius
         deviation = float(np.sqrt(np.mean(off_circle**2)) / max(chords.mean(), edge / 2))
+        if mask in found and found[mask].deviation <= deviation:
+            continue
         found[mask] = Arrangement(
             "circle",
             mask,
@@ -238,11 +239,11 @@ def find_circles(positions: Array, distances: Array, flat: np.ndarray, edge: flo
 def _circumcircles(a: Array, b: Array, c: Array) -> tuple[Array, Array]:
     ab, ac = b - a, c - a
     cross = 2 * (ab[:, 0] * ac[:, 1] - ab[:, 1] * ac[:, 0])
-    with np.errstate(divide="ignore", invalid="ignore"):
+    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
         ab2, ac2 = (ab**2).sum(axis=1), (ac**2).sum(axis=1)
         x = (ac[:, 1] * ab2 - ab[:, 1] * ac2) / cross
         y = (ab[:, 0] * ac2 - ac[:, 0] * ab2) / cross
-    offset = np.nan_to_num(np.stack([x, y], axis=1), nan=1e6, posinf=1e6, neginf=-1e6)
+    offset = np.clip(np.nan_to_num(np.stack([x, y], axis=1), nan=1e6), -1e6, 1e6)
     return a + offset, np.linalg.norm(offset, axis=1)
 
 
@@ -265,6 +266,8 @@ def find_groups(positions: Array, distances: Array) -> list[Arrangement]:
         found.append((members, gap, number))
     result = []
     for members, gap, number in found:
+        if parent_gap.get(number, np.inf) <= gap + SAME:  # one of several merged at once: which came first says nothing
+            continue
         outside = parent_gap.get(number, 3 * gap)
         result.append(
             Arrangement(
