@@ -32,7 +32,7 @@ def save_model(model: FactorModel, path: Path) -> None:
     """
     names: dict[str, Any] = {}
     arrays: dict[str, np.ndarray] = {}
-    for family, factor in model.factors.items():
+    for family, factor in sorted(model.factors.items()):
         rows, columns = np.nonzero(np.round(factor.weights, _DIGITS))
         kept_facts, kept_roles = np.unique(rows), np.unique(columns)
         names[family] = {
@@ -66,7 +66,7 @@ def load_model(path: Path) -> FactorModel:
     factors: dict[str, Factor] = {}
     try:
         notes = dict(data["notes"])
-        with np.load(weights_path, allow_pickle=False) as arrays:
+        with np.load(io.BytesIO(weights_path.read_bytes()), allow_pickle=False) as arrays:
             for family, names in data["factors"].items():
                 weights = np.zeros((len(names["facts"]), len(names["roles"])))
                 weights[arrays[f"{family}.rows"], arrays[f"{family}.columns"]] = arrays[f"{family}.weights"]
