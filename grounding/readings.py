@@ -94,6 +94,6 @@ def pick_of(symbols: frozenset[Symbol], layout: Layout) -> tuple[Action, ...]:
                 pool &= layout.matching(object_type, color)
             case Container(_, members) if members:
                 pool &= layout.mask(members)
-            case Region(relation, kind, reference) if kind != "robot":
-                pool &= layout.within(relation, reference)
+            case Region():
+                pool &= layout.within(symbol)
     return tuple(Action("pick", (layout.ids[i],)) for i in indices_of(pool))

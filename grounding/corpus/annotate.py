@@ -16,7 +16,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from grounding.corpus.base_phrases import annotate_base
+from grounding.corpus.base_phrases import UPRIGHT, annotate_base
 from grounding.corpus.meaning import Meaning, NotAnnotatable
 from grounding.geometry.layout import Layout
 from grounding.geometry.masks import indices_of, single
@@ -36,6 +36,7 @@ from grounding.symbols import (
 )
 
 MARGIN = 0.01  # an extreme object is so much more extreme than the next one [m]
+MOST_REFERENCES = 8  # so many objects a reference may leave possible
 _COPYING = ("in", "of", "from", "on", "at", "to", "off", "with")
 _RELATIONS = {
     "behind": "back", "above": "top", "over": "top", "below": "bottom", "under": "bottom", "beneath": "bottom",
@@ -86,7 +87,7 @@ class _Annotator:
             if root.chosen:
                 return "grounded"
             return "ambiguous" if root.pool or root.arrangements else "no_referent"
-        return "grounded"
+        return "no_referent" if root.sort == "nothing" else "grounded"
 
     def _compose(self, phrase: Phrase, children: list[Meaning]) -> Meaning:
         if phrase.tag in ("PRT", "WHNP", "ADVP", "INTJ"):
@@ -180,16 +181,15 @@ class _Annotator:
                 relation, kind = modifier.region.relation, modifier.region.kind
                 member = True
             elif modifier.region.kind != "robot":
-                pool &= layout.within(modifier.region.relation, modifier.region.objects)
+                pool &= layout.within(modifier.region)
             carried = frozenset({modifier.region})
         elif modifier.sort == "table":
             pass
         else:
             raise NotAnnotatable(f"{phrase.text!r}: a {modifier.sort} says nothing of a block")
-        if relation in ("top", "bottom") and modifier.sort != "direction" and kind != "tower":
-            ranked = {"top": "back", "bottom": "front"}[relation]
-        else:
-            ranked = relation or ""
+        ranked = relation or ""
+        if kind != "tower" and not layout.stacked(pool):
+            ranked = UPRIGHT.get(ranked, ranked)
         if nearest_to:
             chosen = self._closest(phrase, pool & ~layout.mask(nearest_to), nearest_to)
         elif relation is not None:
@@ -229,7 +229,7 @@ class _Annotator:
                     kind = modifier.reference_kind
         elif modifier.sort == "region" and modifier.region is not None:
             if modifier.region.kind != "robot":
-                pool &= layout.within(modifier.region.relation, modifier.region.objects)
+                pool &= layout.within(modifier.region)
             chosen = self._count(phrase, pool, number, relation)
         elif modifier.sort == "table":
             chosen = self._count(phrase, pool, number, relation)
@@ -274,7 +274,7 @@ class _Annotator:
             if "closest" in modifier.preposition.split():
                 raise NotAnnotatable(f"{phrase.text!r}: not covered")
             if modifier.region.kind != "robot":
-                inside = self.layout.within(modifier.region.relation, modifier.region.objects)
+                inside = self.layout.within(modifier.region)
                 cands = [a for a in cands if not a[1] & ~inside]
             carried |= {modifier.region}
         elif modifier.sort == "robot":
@@ -298,6 +298,8 @@ class _Annotator:
     def _place(self, phrase: Phrase, head: Meaning, modifier: Meaning) -> Meaning:
         if modifier.sort == "robot":
             region = Region(str(head.relation), "robot", ())
+        elif modifier.sort == "one" and not modifier.reference and 0 < modifier.pool.bit_count() <= MOST_REFERENCES:
+            region = Region(str(head.relation), "object", self.layout.names(modifier.pool))
         elif modifier.sort in ("table", "one", "container", "many") and modifier.reference:
             region = Region(str(head.relation), modifier.reference_kind, modifier.reference)
         else:
@@ -333,9 +335,9 @@ class _Annotator:
                 if preposition not in ("near", "close to"):
                     raise NotAnnotatable(f"PP {phrase.text!r}: construction not covered")
                 return Meaning("direction", frozenset({SpatialReference("near")}), relation="near", preposition="on")
-            if not child.reference:
-                raise NotAnnotatable(f"PP {phrase.text!r}: its reference is not determined")
             relation = _RELATIONS[preposition]
+            if not child.reference:
+                return self._existential(phrase, child, relation, preposition)
             if relation == "between" and (child.sort != "many" or child.number != 2):
                 raise NotAnnotatable(f"PP {phrase.text!r}: between what?")
             kind = "object" if relation == "between" else child.reference_kind
@@ -344,6 +346,13 @@ class _Annotator:
         if preposition in _COPYING and child.sort != "empty":
             return replace(child, symbols=_passed(child), preposition=preposition)
         raise NotAnnotatable(f"PP {phrase.text!r}: construction not covered")
+
+    def _existential(self, phrase: Phrase, child: Meaning, relation: str, preposition: str) -> Meaning:
+        """Behind a green block: behind one of those that are possible."""
+        if child.sort != "one" or not 0 < child.pool.bit_count() <= MOST_REFERENCES or relation == "between":
+            raise NotAnnotatable(f"PP {phrase.text!r}: its reference is not determined")
+        region = Region(relation, "object", self.layout.names(child.pool))
+        return Meaning("region", frozenset({region}), region=region, preposition=preposition)
 
     # Verb phrases
 
@@ -362,11 +371,11 @@ class _Annotator:
         kind, target = kinds[0], told[0]
         if verbs[0] == "take" and any(word.text == "away" for child in phrase.phrases for word in child.words):
             kind = "clear"
-        region: Region | None = None
+        regions: list[Region] | list[None] = [None]
         if kind == "place":
             if len(told) != 2:
                 raise NotAnnotatable(f"VP {phrase.text!r}: no destination")
-            region = self._destination(phrase, told[1], target)
+            regions = self._destinations(phrase, told[1], target)
         elif len(told) > 1:
             raise NotAnnotatable(f"VP {phrase.text!r}: construction not covered")
         if target.chosen:
@@ -382,15 +391,19 @@ class _Annotator:
         actions: frozenset[Symbol] = frozenset(
             Action(kind, self.layout.names(mask), region)
             for mask in sets
+            for region in regions
             if region is None or not self.layout.mask(region.objects) & mask or told[-1].sort == "direction"
         )
         return Meaning("action", actions | {Action(kind)})
 
-    def _destination(self, phrase: Phrase, place: Meaning, target: Meaning) -> Region:
-        if place.sort == "region" and place.region is not None and place.region.kind != "robot":
-            return place.region
+    def _destinations(self, phrase: Phrase, place: Meaning, target: Meaning) -> list[Region]:
+        region = place.region
+        if place.sort == "region" and region is not None and region.kind != "robot":
+            if region.kind == "object" and len(region.objects) > 1 and region.relation != "between":
+                return [Region(region.relation, "object", (name,)) for name in region.objects]
+            return [region]
         if place.sort == "direction" and place.relation and target.chosen and place.preposition == "to":
-            return Region(place.relation, "object", self.layout.names(target.chosen))
+            return [Region(place.relation, "object", self.layout.names(target.chosen))]
         raise NotAnnotatable(f"VP {phrase.text!r}: the destination is not covered")
 
     # Sets

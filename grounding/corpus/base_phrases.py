@@ -23,11 +23,13 @@ from grounding.symbols import (
     Symbol,
 )
 
+UPRIGHT = {"top": "back", "bottom": "front"}  # on a table seen from above
 _PLACE_NOUNS = ("side", "end", "edge", "half")
 UNKNOWN_NOUNS = frozenset(
     "ball balls cup cups bottle bottles pen pens spoon mug hammer apple apples banana sponge toy coin book key shoe "
     "phone plate glass lamp hat sock marble marbles song".split()
 )
+_LYING = {"horizontal": ("row",), "vertical": ("column", "tower"), "straight": ("row", "column")}
 _IGNORED = ("of", "very", "only", "whole", "entire")
 
 
@@ -48,6 +50,7 @@ class _Words:
     only: bool = False
     robot: bool = False
     unknown: bool = False
+    lying: str = ""
     size: int = 0
 
 
@@ -102,6 +105,9 @@ def _sort_words(phrase: Phrase) -> _Words:
                 said.plural = True
             elif text == "both":
                 said.numbers.append(2)
+            continue
+        if text in _LYING:
+            said.lying = text
             continue
         if size_order(text):
             said.size = size_order(text)
@@ -171,15 +177,16 @@ def _one(phrase: Phrase, said: _Words, layout: Layout) -> Meaning:
     if said.only and not single(pool):
         raise NotAnnotatable(f"NP {phrase.text!r}: not the only one")
     chosen = 0
-    if relation in ("top", "bottom"):
-        pass  # of a tower or of the table: decided above
-    elif relation is not None:
-        chosen = layout.nth(pool, relation, index or 1)
-        extent = sorted(layout.extent(pool, relation), reverse=True)
+    if relation is not None:
+        ranked = relation if layout.stacked(pool) else UPRIGHT.get(relation, relation)
+        chosen = layout.nth(pool, ranked, index or 1)
+        extent = sorted(layout.extent(pool, ranked), reverse=True)
         place = (index or 1) - 1
-        for a, b in ((place - 1, place), (place, place + 1)):
-            if chosen and 0 <= a and b < len(extent) and extent[a] - extent[b] < 0.01:
+        pairs = [(a, a + 1) for a in (place - 1, place) if a >= 0 and a + 1 < len(extent)]
+        if chosen and any(extent[a] - extent[b] < 0.01 for a, b in pairs):
+            if ranked not in UPRIGHT:
                 raise NotAnnotatable(f"NP {phrase.text!r}: too close to call")
+            chosen = 0  # the top of which tower is decided above
     elif index is None and single(pool):
         chosen = pool
     symbols = _labels(said)
@@ -226,7 +233,7 @@ def _container(phrase: Phrase, said: _Words, layout: Layout, arrangements: tuple
     if said.types or said.indices and not said.relations:
         raise NotAnnotatable(f"NP {phrase.text!r}: construction not covered")
     relation = said.relations[0] if said.relations else None
-    relation = {"top": "back", "bottom": "front"}.get(relation or "", relation)
+    relation = UPRIGHT.get(relation or "", relation)
     color = said.colors[0] if said.colors else None
     number = said.numbers[0] if said.numbers else None
     wanted = layout.matching(None, color)

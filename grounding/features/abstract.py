@@ -23,8 +23,12 @@ def objects(scope: Scope) -> Proposals:
         for (_, mask), fits in scope.fitting.named.items():
             for index in indices_of(mask):
                 members.setdefault(index, []).extend(f"member {name}" for name in fits)
+    for _, mask in scope.own_abstract.containers:
+        for index in indices_of(mask):
+            members.setdefault(index, [])
     for index, names in sorted(members.items()):
         roles = list(dict.fromkeys(names))
+        roles += [f"in own {kind}" for kind, mask in scope.own_abstract.containers if mask >> index & 1]
         for role, source in scope.child_sources.items():
             if source.objects >> index & 1:
                 roles.append(f"in {role}")

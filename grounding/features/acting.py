@@ -9,6 +9,7 @@ from grounding.symbols import Action, Region, SpatialReference, Symbol
 
 Proposals = list[tuple[Symbol, list[str]]]
 
+_MOST_REFERENCES = 8  # of one object that is not settled
 _TOO_MANY = 64  # actions that would be proposed where nothing but a type is said
 
 
@@ -51,7 +52,26 @@ def _references(scope: Scope, source: Source, role: str) -> list[tuple[str, tupl
     found += [("object", (name,), f"furniture of {role}") for name in source.furniture]
     if source.robot:
         found.append(("robot", (), f"robot of {role}"))
+    if source.attributes and not source.objects:
+        pool = possible(scope, source)
+        if 0 < pool.bit_count() <= _MOST_REFERENCES:
+            found.append(("object", layout.names(pool), f"possible objects of {role}"))
     return found
+
+
+def possible(scope: Scope, source: Source) -> int:
+    """The things that a source leaves possible where it has not settled on any."""
+    layout = scope.layout
+    pool = layout.everything
+    for attribute in source.attributes[:1]:
+        pool &= layout.matching(attribute.object_type, attribute.color)
+    for collection in source.collections[:1]:
+        pool &= layout.matching(collection.object_type, collection.color)
+    for _, mask in source.containers[:1]:
+        pool &= mask
+    for region in source.regions[:1]:
+        pool &= layout.within(region)
+    return pool
 
 
 def actions(scope: Scope) -> Proposals:
@@ -87,16 +107,7 @@ def _targets(scope: Scope, target: Source) -> list[tuple[tuple[str, ...], str]]:
     if target.objects:
         names = layout.names(target.objects)
         return [(names, "the object" if len(names) == 1 else "the objects")]
-    pool = layout.everything
-    for attribute in target.attributes[:1]:
-        pool &= layout.matching(attribute.object_type, attribute.color)
-    for collection in target.collections[:1]:
-        pool &= layout.matching(collection.object_type, collection.color)
-    for _, mask in target.containers[:1]:
-        pool &= mask
-    for region in target.regions[:1]:
-        if region.kind != "robot":
-            pool &= layout.within(region.relation, region.objects)
+    pool = possible(scope, target)
     if not pool or not (target.attributes or target.collections or target.kinds):
         return []
     if target.attributes:
@@ -110,7 +121,12 @@ def _targets(scope: Scope, target: Source) -> list[tuple[tuple[str, ...], str]]:
 def _destinations(scope: Scope) -> list[tuple[Region | None, str]]:
     """Where to: (region, how it came about); a lone direction is beside the object itself."""
     destination = scope.source("dest")
-    found: list[tuple[Region | None, str]] = [(region, "to region") for region in destination.regions]
+    found: list[tuple[Region | None, str]] = []
+    for region in destination.regions:
+        if region.kind == "object" and len(region.objects) > 1 and region.relation != "between":
+            found += [(Region(region.relation, "object", (name,)), "to a possible region") for name in region.objects]
+        else:
+            found.append((region, "to region"))
     if destination.relations and not destination.regions:
         found.append((None, "beside itself"))
     found.append((None, "nowhere though said" if found or destination.symbols else "nowhere"))

@@ -86,6 +86,7 @@ def own_facts(scope: Scope) -> list[str]:
     sets = scope.sets
     base = sets.base
     facts.append("nothing matches" if not base else "one matches" if base & (base - 1) == 0 else "many match")
+    facts.append("stacked" if scope.layout.stacked(base) else "level")
     facts += [f"have {name}" for name in sets.named]
     for name, mask in sets.references.items():
         if not mask:
@@ -96,15 +97,21 @@ def own_facts(scope: Scope) -> list[str]:
     return facts
 
 
-def context_facts(scope: Scope, settled: bool) -> list[str]:
-    """All facts of a phrase's context, in a fixed order.
+def abstract_facts(scope: Scope) -> list[str]:
+    """What the settled abstract symbols tell."""
+    source = scope.own_abstract
+    facts = [f"own {name}" for name in ("containers", "regions", "attributes", "collections") if getattr(source, name)]
+    return facts + [f"own.container={kind}" for kind, _ in source.containers]
 
-    Args:
-        scope: the phrase and what it looks at.
-        settled: whether its concrete symbols are settled, so that sets can be named.
-    """
-    facts = [*word_facts(scope), *child_facts(scope)]
-    return facts + own_facts(scope) if settled else facts
+
+def context_facts(scope: Scope) -> list[str]:
+    """All facts of a phrase's context at the stage it is in, in a fixed order."""
+    if scope.stage == 0:
+        return [*word_facts(scope), *child_facts(scope)]
+    settled = scope.__dict__.get("settled_facts")
+    if settled is None:
+        settled = scope.__dict__["settled_facts"] = [*word_facts(scope), *child_facts(scope), *own_facts(scope)]
+    return settled if scope.stage == 1 else [*settled, *abstract_facts(scope)]
 
 
 def _told(source: Source) -> str:

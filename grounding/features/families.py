@@ -1,7 +1,7 @@
 """The families of factors: for each kind of symbol, which are proposed for a phrase and in which roles they stand.
 
-Two stages: the concrete symbols that words express come first; objects and abstract symbols are proposed from those
-that are likely (Equations 11 to 13) and from the children's groundings.
+Three stages: the concrete symbols that words express come first; abstract symbols are proposed from those that are
+likely (Equations 11 to 13) and from the children's groundings; objects and actions are judged beside them.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ class Family(NamedTuple):
 
     Attributes:
         name: of the factor.
-        stage: 0 for concrete symbols that words express, 1 for objects and abstract symbols.
+        stage: 0 for concrete symbols that words express, 1 for abstract symbols, 2 for objects and actions.
         propose: gives the proposed symbols of a phrase, each with its roles.
     """
 
@@ -51,14 +51,14 @@ FAMILIES: tuple[Family, ...] = (
     Family("ordinal", 0, concrete.ordinals),
     Family("kind", 0, concrete.kinds),
     Family("verb", 0, concrete.verbs),
-    Family("object", 1, abstract.objects),
+    Family("object", 2, abstract.objects),
     Family("attribute", 1, abstract.attributes),
     Family("collection", 1, abstract.collections),
     Family("container", 1, abstract.containers),
     Family("region", 1, acting.regions),
-    Family("action", 1, acting.actions),
+    Family("action", 2, acting.actions),
 )
-STAGES: tuple[tuple[Family, ...], ...] = tuple(tuple(f for f in FAMILIES if f.stage == stage) for stage in (0, 1))
+STAGES: tuple[tuple[Family, ...], ...] = tuple(tuple(f for f in FAMILIES if f.stage == stage) for stage in range(3))
 
 
 def family_of(symbol: Symbol) -> str:

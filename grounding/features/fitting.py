@@ -48,19 +48,20 @@ class Fitting:
         counts = frozenset(count for _, count in self.sets.numbers)
         if counts:
             found["counted"] = layout.fitting(self.kinds, self.wanted, counts)
+            found["evident counted"] = tuple(a for a in found["evident"] if a.count in counts)
         for role in ("mod", "inner", "head"):
             source = self.sources.get(role)
             if source is None:
                 continue
             inside = None
             if source.regions and source.regions[0].kind != "robot":
-                inside = layout.within(source.regions[0].relation, source.regions[0].objects)
+                inside = layout.within(source.regions[0])
             elif source.objects and not source.containers:
                 inside = source.objects
             elif role == "mod" and source.relations:
-                inside = self.sets.side(source.relations[0])
+                inside = self.layout.side(source.relations[0])
             if inside is not None:
-                base = found.get("counted", found["evident"] or found["seen"])
+                base = found.get("evident counted") or found.get("counted", found["evident"] or seen)
                 found[f"{role}.side" if source.relations and not source.regions else f"{role}.within"] = tuple(
                     a for a in base if not a.mask & ~inside
                 )

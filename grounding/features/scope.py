@@ -24,6 +24,7 @@ class Scope:
         children: the symbols that each child phrase is grounded to, in the order of `phrase.phrases`.
         layout: Υ, measured.
         concrete: the concrete symbols that λ itself is taken to express; empty while those are inferred.
+        abstract: the abstract symbols that λ itself is taken to mean; empty while those are inferred.
     """
 
     def __init__(
@@ -32,18 +33,41 @@ class Scope:
         children: Sequence[frozenset[Symbol]],
         layout: Layout,
         concrete: frozenset[Symbol] = frozenset(),
+        abstract: frozenset[Symbol] = frozenset(),
     ) -> None:
         self.phrase = phrase
         self.layout = layout
         self.children = tuple(children)
         self.concrete = concrete
+        self.abstract = abstract
+
+    @property
+    def stage(self) -> int:
+        """What is to be judged next: 0 the concrete symbols, 1 the abstract ones, 2 objects and actions."""
+        return self._stage
+
+    _stage = 0
+    _shared = ("child_sources", "named", "plural", "universal")
+    _settled = ("own", "sources", "sets", "fitting", "settled_facts")
 
     def with_concrete(self, concrete: frozenset[Symbol]) -> Scope:
         """The same phrase, its concrete symbols settled."""
-        scope = Scope(self.phrase, self.children, self.layout, concrete)
-        scope.__dict__["child_sources"] = self.child_sources
-        scope.__dict__["named"] = self.named
+        return self._next(1, Scope(self.phrase, self.children, self.layout, concrete), self._shared)
+
+    def with_abstract(self, abstract: frozenset[Symbol]) -> Scope:
+        """The same phrase, its abstract symbols settled too."""
+        scope = Scope(self.phrase, self.children, self.layout, self.concrete, abstract)
+        return self._next(2, scope, (*self._shared, *self._settled))
+
+    def _next(self, stage: int, scope: Scope, kept: Sequence[str]) -> Scope:
+        scope.__dict__.update({name: value for name, value in self.__dict__.items() if name in kept})
+        scope._stage = stage
         return scope
+
+    @cached_property
+    def own_abstract(self) -> Source:
+        """What the abstract symbols of the phrase itself say."""
+        return digest(self.abstract, self.layout)
 
     @cached_property
     def child_sources(self) -> dict[str, Source]:

@@ -13,7 +13,7 @@ import numpy as np
 
 from grounding.features.sources import NOTHING, Source
 from grounding.geometry.layout import Layout
-from grounding.geometry.masks import indices_of, mask_of, single
+from grounding.geometry.masks import indices_of, single
 
 _SAYING = ("own", "head", "mod", "inner", "object")  # whose directions, indices and numbers count
 _UPRIGHT = {"top": "back", "bottom": "front"}  # on a table seen from above, top is away
@@ -56,25 +56,15 @@ class NamedSets:
                 found[f"{role}.in"] = base & source.objects
             for region in source.regions[:1]:
                 if region.kind != "robot":
-                    found[f"{role}.region"] = base & layout.within(region.relation, region.objects)
+                    found[f"{role}.region"] = base & layout.within(region)
             if role == "mod" and source.relations:
-                side = self.side(source.relations[0])
+                side = layout.side(source.relations[0])
                 if side is not None:
                     found["mod.side"] = base & side
         for role in ("head", "inner", "object"):  # what was carried upward: a set and a region
             if f"{role}.in" in found and f"{role}.region" in found:
                 found[f"{role}.both"] = found[f"{role}.in"] & found[f"{role}.region"]
         return found
-
-    def side(self, direction: str) -> int | None:
-        """The things on one half of the table; None where the direction has no half."""
-        if direction not in ("left", "right", "front", "back"):
-            return None
-        tables = tuple(item.id for item in self.layout.world.objects if item.type == "table")[:1]
-        if tables:
-            return self.layout.within(direction, tables)
-        extent = self.layout.extent(self.layout.everything, direction)
-        return mask_of(np.flatnonzero(extent > extent.mean())) if len(extent) else 0
 
     @cached_property
     def directions(self) -> tuple[tuple[str, str], ...]:
@@ -110,8 +100,10 @@ class NamedSets:
                 if direction == "between":
                     continue
                 flat = _UPRIGHT.get(direction)
+                upright = flat is None or layout.stacked(mask)
                 for index_who, index in self.indices:
-                    found[f"nth[{ref}|{who}|{index_who}]"] = layout.nth(mask, direction, index)
+                    if upright:
+                        found[f"nth[{ref}|{who}|{index_who}]"] = layout.nth(mask, direction, index)
                     if flat is not None:
                         found[f"flat[{ref}|{who}|{index_who}]"] = layout.nth(mask, flat, index)
                 if direction == "center":

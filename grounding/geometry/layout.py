@@ -9,8 +9,8 @@ import numpy as np
 
 from grounding.geometry.arrangements import Arrangement, find_arrangements
 from grounding.geometry.masks import indices_of, mask_of
-from grounding.geometry.regions import in_region
-from grounding.symbols import LAST
+from grounding.geometry.regions import in_any_region, in_region
+from grounding.symbols import LAST, Region
 from grounding.world import Array, World
 
 ABSOLUTE = ("left", "right", "front", "back", "near", "far", "top", "bottom")
@@ -32,7 +32,7 @@ class Layout:
         self.everything = (1 << self.size) - 1
         self.positions = world.positions
         self._ranked: dict[tuple[int, str], tuple[int, ...]] = {}
-        self._regions: dict[tuple[str, tuple[str, ...]], int] = {}
+        self._regions: dict[Region, int] = {}
         self._fitting: dict[tuple[tuple[str, ...], int, frozenset[int]], tuple[Arrangement, ...]] = {}
         self._matching: dict[tuple[str | None, str | None], int] = {}
 
@@ -168,14 +168,38 @@ class Layout:
         axis = np.linalg.svd(points - points.mean(axis=0), full_matrices=False)[2][0]
         return 1 << members[int(np.argsort(points @ axis, kind="stable")[len(members) // 2])]
 
-    def within(self, relation: str, reference: tuple[str, ...]) -> int:
-        """The things in a region: in a direction of the reference objects, who are not part of it themselves."""
-        key = (relation, reference)
-        if key not in self._regions:
-            items = [self.world.by_id[i] for i in reference if i in self.world.by_id]
-            inside = in_region(relation, items, self.things)
-            self._regions[key] = mask_of(np.flatnonzero(inside)) & ~self.mask(reference)
-        return self._regions[key]
+    def within(self, region: Region) -> int:
+        """The things in a region; everything where it is the robot's.
+
+        A region of a container lies outside the container as a whole. Of several objects that are no container, it is
+        enough to lie in the region of one ("behind a green block").
+        """
+        if region.kind == "robot":
+            return self.everything
+        if region not in self._regions:
+            items = [self.world.by_id[i] for i in region.objects if i in self.world.by_id]
+            if region.kind == "object" and len(items) > 1 and region.relation != "between":
+                inside = mask_of(np.flatnonzero(in_any_region(region.relation, items, self.things)))
+            else:
+                inside = mask_of(np.flatnonzero(in_region(region.relation, items, self.things)))
+                inside &= ~self.mask(region.objects)
+            self._regions[region] = inside
+        return self._regions[region]
+
+    def side(self, direction: str) -> int | None:
+        """The things on one half of the table; None where the direction has no half."""
+        if direction not in ("left", "right", "front", "back"):
+            return None
+        tables = tuple(item.id for item in self.world.objects if item.type == "table")[:1]
+        if tables:
+            return self.within(Region(direction, "object", tables))
+        extent = self.extent(self.everything, direction)
+        return mask_of(np.flatnonzero(extent > extent.mean())) if len(extent) else 0
+
+    def stacked(self, mask: int) -> bool:
+        """Whether members of a set lie at different heights."""
+        heights = self.positions[list(indices_of(mask)), 2]
+        return len(heights) > 1 and float(heights.max() - heights.min()) > 0.5 * self.edge
 
     def distance_to(self, mask: int, reference: tuple[str, ...]) -> Array:
         """Distance of each member of a set to the nearest reference object, on the floor, in [m]."""

@@ -15,6 +15,14 @@ CONE = 1.0  # a direction holds what deviates sideways by at most so much of its
 _AXES = {"left": (1, 1.0), "right": (1, -1.0), "back": (0, 1.0), "front": (0, -1.0)}
 
 
+def in_any_region(relation: str, references: Sequence[WorldObject], things: Sequence[WorldObject]) -> np.ndarray:
+    """Which things lie in the region of one at least of several objects: shape (len(things),)."""
+    inside = np.zeros(len(things), dtype=bool)
+    for reference in references:
+        inside |= in_region(relation, [reference], things) & np.array([item is not reference for item in things])
+    return inside
+
+
 def in_region(relation: str, reference: Sequence[WorldObject], things: Sequence[WorldObject]) -> np.ndarray:
     """Which things lie in a region.
 
@@ -52,7 +60,7 @@ def in_region(relation: str, reference: Sequence[WorldObject], things: Sequence[
     if relation == "between":
         return _between(points, reference)
     if relation == "center":
-        reach = np.maximum((high - low)[:2] / 4, halves[:, :2].mean())
+        reach = np.maximum((high - low)[:2] / 4, halves[:, :2])
         return np.asarray(np.all(np.abs(points[:, :2] - centre[:2]) <= reach, axis=1))
     if relation == "far":
         return np.ones(len(things), dtype=bool)

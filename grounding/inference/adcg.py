@@ -1,8 +1,8 @@
 """The Adaptive Distributed Correspondence Graph (Equations 11 to 14).
 
 Phrases are grounded bottom-up. For each, the concrete symbols that its words express are inferred first; those that are
-likely enough make up what abstract symbols and objects are proposed, and these are then judged. A beam of hypotheses is
-kept for every phrase.
+likely enough make up what abstract symbols are proposed; objects and actions are judged beside those. A beam of
+hypotheses is kept for every phrase.
 """
 
 from __future__ import annotations
@@ -107,8 +107,14 @@ class _Run:
         found: list[Hypothesis] = []
         for concrete, concrete_log, seen in self.concrete(scope):
             settled = scope.with_concrete(concrete)
-            for abstract, abstract_log, also in self.judge(settled, 1):
-                found.append(Hypothesis(concrete | abstract, concrete_log + abstract_log, (), {**seen, **also}))
+            for abstract, abstract_log, also in self.judge(settled):
+                last = settled.with_abstract(abstract)
+                found += [
+                    Hypothesis(
+                        concrete | abstract | rest, concrete_log + abstract_log + log, (), {**seen, **also, **more}
+                    )
+                    for rest, log, more in self.judge(last)
+                ]
         found.sort(key=lambda h: -h.log_probability)
         found = found[: self.settings.beam]
         self.memory[key] = found
@@ -116,21 +122,21 @@ class _Run:
 
     def concrete(self, scope: Scope) -> list[Judged]:
         """The likeliest concrete symbols; they depend on words and on what kinds of things the children say only."""
-        facts = tuple(context_facts(scope, settled=False))
+        facts = tuple(context_facts(scope))
         said = tuple(sorted((role, source.concrete) for role, source in scope.child_sources.items()))
         key = (facts, said, scope.layout.types)
         known = self.settings.remembered(key)
         if known is None:
-            known = self.settings.remember(key, self.judge(scope, 0, facts))
+            known = self.settings.remember(key, self.judge(scope, facts))
         return known
 
-    def judge(self, scope: Scope, stage: int, facts: Sequence[str] | None = None) -> list[Judged]:
-        """The likeliest sets of symbols of one stage."""
-        scorer = self.settings.scorers[stage]
-        values = scorer.values(context_facts(scope, stage == 1) if facts is None else facts)
+    def judge(self, scope: Scope, facts: Sequence[str] | None = None) -> list[Judged]:
+        """The likeliest sets of symbols of the stage that a scope is in."""
+        scorer = self.settings.scorers[scope.stage]
+        values = scorer.values(context_facts(scope) if facts is None else facts)
         symbols: list[Symbol] = []
         odds: list[float] = []
-        for family in STAGES[stage]:
+        for family in STAGES[scope.stage]:
             if family.name in scorer.role_ids:
                 proposals = family.propose(scope)
                 symbols += [symbol for symbol, _ in proposals]

@@ -1,7 +1,7 @@
 """Turns annotated examples into the rows that factors are trained on, and trains them.
 
-Every phrase is looked at with its children's annotated groundings and, in the second stage, with its own annotated
-concrete symbols; all proposed symbols that are not annotated are negatives.
+Every phrase is looked at with its children's annotated groundings and, in the later stages, with its own annotated
+concrete and abstract symbols; all proposed symbols that are not annotated are negatives.
 """
 
 from __future__ import annotations
@@ -54,12 +54,14 @@ def _collect_phrase(
     coverage: Coverage,
 ) -> None:
     gold = groundings[id(phrase)]
-    concrete = frozenset(s for s in gold if _STAGE_OF[family_of(s)] == 0)
+    by_stage = [frozenset(s for s in gold if _STAGE_OF[family_of(s)] == number) for number in range(len(STAGES))]
     scope = Scope(phrase, [groundings[id(child)] for child in phrase.phrases], layout)
     for number, families in enumerate(STAGES):
         if number == 1:
-            scope = scope.with_concrete(concrete)
-        facts = context_facts(scope, settled=number == 1)
+            scope = scope.with_concrete(by_stage[0])
+        elif number == 2:
+            scope = scope.with_abstract(by_stage[1])
+        facts = context_facts(scope)
         for family in families:
             proposals = family.propose(scope)
             sets[family.name].add(facts, [(roles, symbol in gold) for symbol, roles in proposals])
