@@ -14,9 +14,11 @@ from grounding.world import FURNITURE, Array, World, WorldObject
 CLEARANCE = 0.03  # free space beside a placed object, so that fingers can leave it [m]
 STEP = 0.01  # of the search for a free place [m]
 FARTHEST = 0.4  # that it looks from what the words mean best [m]
+FAR = 0.3  # what is so far from a thing is far from it [m]
 MARGIN = 0.02  # from the table's edge [m]
 
 _DIRECTIONS = {"left": (0.0, 1.0), "right": (0.0, -1.0), "back": (1.0, 0.0), "front": (-1.0, 0.0)}
+_SIDES = {"near": "front", "far": "back"}  # of a table
 _BATCH = 64  # places that are looked at together
 _BESIDE = ("front", "left", "right", "back")
 
@@ -54,10 +56,14 @@ def find_destination(region: Region, moved: Iterable[str], world: World) -> Dest
 
 def _obeys(region: Region, placed: list[WorldObject], world: World) -> np.ndarray:
     """Which placed objects are where the words want them, as these would be understood of what is there."""
-    if region.relation == "far" or (region.relation == "center" and len(region.objects) < 2):
+    if (region.relation == "center" and len(region.objects) < 2) or not region.objects:
         return np.ones(len(placed), dtype=bool)
-    if region.relation == "top":  # of furniture: on it
+    if region.relation in ("top", "far") and _furniture(region, world):
         return np.ones(len(placed), dtype=bool)
+    if region.relation == "far":
+        low, high = _bounds([world[name] for name in region.objects])
+        points = np.array([item.position[:2] for item in placed])
+        return np.linalg.norm(np.maximum(0.0, np.maximum(low - points, points - high)), axis=1) >= FAR / 2
     return in_region(region.relation, [world[name] for name in region.objects], placed)
 
 
@@ -98,24 +104,30 @@ def _candidates(region: Region, item: WorldObject, world: World, table: WorldObj
     return np.concatenate(rings)
 
 
+def _bounds(references: list[WorldObject]) -> tuple[Array, Array]:
+    low = np.min([o.position - o.half_extents for o in references], axis=0)[:2]
+    high = np.max([o.position + o.half_extents for o in references], axis=0)[:2]
+    return np.asarray(low), np.asarray(high)
+
+
 def _ideals(region: Region, item: WorldObject, references: list[WorldObject], table: WorldObject) -> list[Array]:
     half = float(item.half_extents[:2].max())
     if region.kind == "robot" or not references:
-        side = _DIRECTIONS.get(region.relation, (0.0, 0.0))[1]
-        away = np.array([-1.0, side]) * table.half_extents[:2] / 2
+        aside = _DIRECTIONS.get(region.relation, (0.0, 0.0))[1]
+        away = np.array([1.0 if region.relation in ("far", "back") else -1.0, aside]) * table.half_extents[:2] / 2
         return [np.asarray(table.position[:2] + away)]
-    low = np.min([o.position - o.half_extents for o in references], axis=0)[:2]
-    high = np.max([o.position + o.half_extents for o in references], axis=0)[:2]
+    low, high = _bounds(references)
     centre = (low + high) / 2
     if all(o.type in FURNITURE for o in references):
-        if region.relation in _DIRECTIONS:
-            return [np.asarray(centre + np.array(_DIRECTIONS[region.relation]) * (high - low) / 4)]
+        half_of_it = _SIDES.get(region.relation, region.relation)
+        if half_of_it in _DIRECTIONS:
+            return [np.asarray(centre + np.array(_DIRECTIONS[half_of_it]) * (high - low) / 4)]
         return [item.position[:2] if region.relation == "top" else centre]
     if region.relation == "between" and len(references) == 2:
         return [np.asarray((references[0].position[:2] + references[1].position[:2]) / 2)]
     if region.relation in ("center", "between"):
         return [np.mean([o.position[:2] for o in references], axis=0)]
-    away = (high - low) / 2 + half + CLEARANCE
+    away = (high - low) / 2 + half + (FAR if region.relation == "far" else CLEARANCE)
     if region.relation in _DIRECTIONS:
         return [np.asarray(centre + np.array(_DIRECTIONS[region.relation]) * away)]
     return [np.asarray(centre + np.array(_DIRECTIONS[side]) * away) for side in _BESIDE]
