@@ -1,0 +1,108 @@
+"""Descriptions: a name tells an object from its rivals, and what is missing is what is missing."""
+
+import functools
+import re
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from grounding.corpus.composer import compose
+from grounding.describing import name_object, name_objects, whats_missing
+from grounding.geometry.layout import Layout
+from grounding.geometry.masks import indices_of
+from grounding.symbols import Cardinal, Container, ContainerAttribute, ObjectAttribute
+from grounding.world import World, make_object
+
+DIRECTIONS = {"leftmost": "left", "rightmost": "right", "nearest": "near", "farthest": "far", "middle": "center"}
+RANKS = {"": 1, "second": 2, "third": 3, "fourth": 4, "fifth": 5, "sixth": 6}
+
+
+@functools.cache
+def layout_of(seed):
+    return Layout(compose(np.random.default_rng(seed)).world)
+
+
+def meant(layout, text, among):
+    """The objects that a name means, by a reading of its words."""
+    match = re.fullmatch(r"the (?:(\w+) )??(?:(\w+) )?(?:(\w+) )?block(?: (\S+))?", text)
+    assert match, text
+    words = [word for word in match.groups()[:3] if word]
+    if match.group(4):
+        return {match.group(4)}
+    pool, rank, direction = layout.mask(among), 1, None
+    for word in words:
+        if word in DIRECTIONS:
+            direction = DIRECTIONS[word]
+        elif word in RANKS:
+            rank = RANKS[word]
+        else:
+            pool &= layout.matching("block", word)
+    return set(layout.names(pool if direction is None else layout.nth(pool, direction, rank)))
+
+
+@given(st.integers(0, 199), st.data())
+def test_a_name_means_one_of_the_rivals(seed, data):
+    layout = layout_of(seed)
+    rivals = data.draw(st.lists(st.sampled_from(layout.ids), min_size=1, unique=True))
+    name = data.draw(st.sampled_from(rivals))
+    assert meant(layout, name_object(layout, name, rivals), rivals) == {name}
+
+
+@given(st.integers(0, 199))
+def test_names_of_a_world_differ(seed):
+    layout = layout_of(seed)
+    names = [name_object(layout, name) for name in layout.ids]
+    assert len(set(names)) == len(names)
+
+
+def world(*colors):
+    return World(tuple(make_object(f"b{i}", color=c, position=(0.6, 0.1 * i, 0.7)) for i, c in enumerate(colors)))
+
+
+def test_examples():
+    layout = Layout(world("red", "blue", "red"))
+    assert name_object(layout, "b1") == "the blue block"
+    assert name_object(layout, "b2") == "the leftmost red block"
+    assert name_objects(layout, ("b1",)) == "the blue block"
+    assert name_objects(layout, ("b0", "b1")) == "the rightmost red block and the blue block"
+    assert name_objects(layout, ("b0", "b1", "b2")) == "the row of 3"
+
+
+def test_furniture_is_called_what_it_is():
+    layout = Layout(World((*world("red").objects, make_object("t1", "table"))))
+    assert name_object(layout, "t1") == "the table"
+
+
+@pytest.mark.parametrize(
+    ("symbol", "says"),
+    [
+        (ObjectAttribute("block", "green"), "no green block; what is here is blue and red"),
+        (ContainerAttribute("block", "green", None, 2), "no green block"),
+        (ObjectAttribute("mug"), "no mug here; the world has block"),
+        (ObjectAttribute("block", "red", "left", 4), "no block number 4; there are 2"),
+        (Container("circle"), "no circle here"),
+    ],
+)
+def test_what_is_missing_is_said(symbol, says):
+    layout = Layout(world("red", "blue", "red"))
+    assert says in whats_missing(layout, frozenset({symbol}), frozenset())
+    assert says in whats_missing(layout, frozenset(), frozenset({symbol}))
+
+
+def test_a_shorter_row_is_said():
+    layout = Layout(world("red", "red", "red"))
+    symbols = frozenset({Container("row"), ContainerAttribute("block", None, None, 7)})
+    assert whats_missing(layout, symbols, frozenset()) == "there is no row of 7; the largest has 3"
+
+
+def test_nothing_is_missing_where_all_is_there():
+    layout = Layout(world("red", "blue", "red"))
+    symbols = frozenset({ObjectAttribute("block", "red", "left", 2), Container("row"), Container("robot"), Cardinal(3)})
+    assert whats_missing(layout, symbols, frozenset()) is None
+    assert list(indices_of(layout.matching("block", "red"))) == [0, 2]
+
+
+def test_an_empty_world_lacks_everything():
+    assert whats_missing(Layout(World(())), frozenset(), frozenset()) == "there is nothing on the table"
