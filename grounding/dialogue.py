@@ -55,7 +55,8 @@ def decide(text: str, found: Sequence[Reading], layout: Layout, unknown_words: I
         return Grounding(text, "grounded", (chosen,), others, None, "", unknown, 0.0, _phrases(bearers[best], belief))
     alternatives = tuple(_alternative(a, p, layout) for a, p in ordered[:_MOST] if p >= _LISTED)
     question = _question([a for a, p in ordered if p >= _LISTED], layout)
-    why = f"{len(ordered)} readings are possible" if len(ordered) > 1 else "no reading is sure enough"
+    count = len(alternatives)
+    why = f"{len(ordered)} readings are possible" if count > 1 else "the only reading is not sure enough"
     return Grounding(text, "ambiguous", (), alternatives, question, why, unknown, 0.0, _phrases(bearers[best], belief))
 
 
@@ -80,7 +81,7 @@ def _question(actions: Sequence[Action], layout: Layout) -> str:
     rivals = [name for action in actions for name in action.objects]
     names = list(dict.fromkeys(name_objects(layout, action.objects, rivals) for action in actions[:3]))
     more = len({action.objects for action in actions}) - len(names)
-    rest = f", or one of {more} others" if more > 0 else ""
+    rest = "" if more <= 0 else ", or another one" if more == 1 else f", or one of {more} others"
     if len(names) == 1:
         return f"Do you mean {names[0]}{rest}?"
     listed = ", ".join(names) if rest else ", ".join(names[:-1]) + f" or {names[-1]}"

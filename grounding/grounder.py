@@ -18,6 +18,7 @@ from grounding.result import Grounding
 from grounding.world import World
 
 KEPT_LAYOUTS = 16
+NEGLIGIBLE = 1e-3  # parses less likely than the best by this factor are not grounded
 
 
 class Grounder:
@@ -59,7 +60,8 @@ class Grounder:
         parses = self.parser.parse(text, self.parses)
         layout = self.layout(world)
         memory: dict[object, list] = {}
-        inferred = [(self.inference.infer(parse.tree, layout, memory), parse.probability) for parse in parses]
+        likely = [parse for parse in parses if parse.probability >= NEGLIGIBLE * parses[0].probability]
+        inferred = [(self.inference.infer(parse.tree, layout, memory), parse.probability) for parse in likely]
         unknown = parses[0].unknown_words
         result = decide(text, readings(inferred, layout), layout, unknown)
         return result.timed(1000 * (time.perf_counter() - start))

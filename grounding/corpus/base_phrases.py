@@ -230,7 +230,9 @@ def _many(phrase: Phrase, said: _Words, layout: Layout) -> Meaning:
 
 
 def _container(phrase: Phrase, said: _Words, layout: Layout, arrangements: tuple[tuple[str, int], ...]) -> Meaning:
-    if said.types or said.indices and not said.relations:
+    if said.lying:
+        said.kinds = tuple(kind for kind in said.kinds if kind in _LYING[said.lying])
+    if said.types or not said.kinds or (said.indices and not said.relations):
         raise NotAnnotatable(f"NP {phrase.text!r}: construction not covered")
     relation = said.relations[0] if said.relations else None
     relation = UPRIGHT.get(relation or "", relation)

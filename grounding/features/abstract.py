@@ -5,9 +5,8 @@ from __future__ import annotations
 import itertools
 
 from grounding.features.scope import Scope
-from grounding.geometry.arrangements import Arrangement
 from grounding.geometry.masks import indices_of
-from grounding.symbols import Container, ContainerAttribute, ObjectAttribute, ObjectSymbol, Symbol
+from grounding.symbols import Container, ContainerAttribute, ObjectAttribute, ObjectSymbol, ObjectType, Symbol
 
 Proposals = list[tuple[Symbol, list[str]]]
 
@@ -35,13 +34,15 @@ def objects(scope: Scope) -> Proposals:
                 if source.objects & (source.objects - 1) == 0:
                     roles.append(f"is {role}")
         proposals.append((ObjectSymbol(layout.ids[index]), roles))
-    furniture: dict[str, list[str]] = {}
+    furniture: dict[str, list[str]] = {name: ["furniture of own container"] for name in scope.own_abstract.hands}
     for role, source in scope.child_sources.items():
         for name in source.furniture:
             furniture.setdefault(name, []).append(f"furniture of {role}")
     for item in layout.world.objects:
         if item.id not in layout.index and item.type in scope.own.types:
             furniture.setdefault(item.id, []).append("furniture of own type")
+        if item.id not in layout.index and ObjectType(item.type) in scope.named:
+            furniture.setdefault(item.id, []).append("furniture named")
     proposals += [(ObjectSymbol(name), roles) for name, roles in sorted(furniture.items())]
     return proposals
 
@@ -139,8 +140,9 @@ def containers(scope: Scope) -> Proposals:
         if source.objects & (source.objects - 1) and not source.containers:
             found.setdefault(("group", source.objects), []).append(f"objects of {role}")
     arrangements = scope.layout.by_members
+    robot = _robots(scope)
     counts = {count for _, count in sets.numbers}
-    proposals: Proposals = []
+    proposals: Proposals = robot
     for (kind, mask), roles in found.items():
         roles.append(f"kind {kind}")
         if fitting.kinds:
@@ -153,22 +155,18 @@ def containers(scope: Scope) -> Proposals:
             roles += [f"as {name}" for name in sets.by_mask.get(mask, ())]
         arrangement = arrangements.get((kind, mask))
         if arrangement is not None:
-            roles += quality(arrangement)
+            roles += arrangement.quality
         proposals.append((Container(kind, scope.layout.names(mask)), roles))
     return proposals
 
 
-def quality(arrangement: Arrangement) -> list[str]:
-    """Roles that tell how well the objects form the shape, in bins."""
-    a = arrangement
-    return [
-        f"{a.kind} of {min(a.count, 4)}",
-        f"{a.kind} deviation {_bin(a.deviation, (0.05, 0.1, 0.2, 0.35))}",
-        f"{a.kind} regularity {_bin(a.regularity, (0.6, 0.8, 0.9))}",
-        f"{a.kind} separation {_bin(a.separation, (0.8, 1.1, 1.6, 2.5))}",
-        f"{a.kind} angle {_bin(a.angle, (0.1, 0.25, 0.5))}",
-    ]
-
-
-def _bin(value: float, bounds: tuple[float, ...]) -> int:
-    return sum(value > bound for bound in bounds)
+def _robots(scope: Scope) -> Proposals:
+    """The robot as the container of its recorded hands, where it is spoken of."""
+    found: dict[tuple[str, ...], list[str]] = {}
+    hands = tuple(item.id for item in scope.layout.world.objects if item.type == "robot")
+    if hands and (scope.own.robot or Container("robot") in scope.named):
+        found.setdefault(hands, []).append("robot of own")
+    for role, source in scope.child_sources.items():
+        if source.hands:
+            found.setdefault(source.hands, []).append(f"robot of {role}")
+    return [(Container("robot", names), [*roles, "kind robot"]) for names, roles in found.items()]

@@ -51,7 +51,7 @@ def _references(scope: Scope, source: Source, role: str) -> list[tuple[str, tupl
         found.append(("object", names, f"{how} of {role}"))
     found += [("object", (name,), f"furniture of {role}") for name in source.furniture]
     if source.robot:
-        found.append(("robot", (), f"robot of {role}"))
+        found.append(("robot", source.hands, f"robot of {role}"))
     if source.attributes and not source.objects:
         pool = possible(scope, source)
         if 0 < pool.bit_count() <= _MOST_REFERENCES:

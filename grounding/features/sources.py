@@ -41,11 +41,12 @@ class Source(NamedTuple):
     collections: tuple[ContainerAttribute, ...]
     actions: tuple[Action, ...]
     robot: bool
+    hands: tuple[str, ...]
     symbols: frozenset[Symbol]
     concrete: str
 
 
-NOTHING = Source((), (), (), (), (), (), 0, (), (), (), (), (), (), False, frozenset(), "")
+NOTHING = Source((), (), (), (), (), (), 0, (), (), (), (), (), (), False, (), frozenset(), "")
 _CONCRETE = (ObjectType, ObjectColor, SpatialReference, Cardinal, Ordinal)
 
 
@@ -61,6 +62,7 @@ def digest(symbols: frozenset[Symbol], layout: Layout) -> Source:
     kinds: dict[str, None] = {}
     objects, furniture, containers, regions = 0, [], [], []
     attributes, collections, actions, robot = [], [], [], False
+    hands: tuple[str, ...] = ()
     for symbol in sorted(symbols, key=symbol_key):
         match symbol:
             case ObjectSymbol(name):
@@ -80,7 +82,7 @@ def digest(symbols: frozenset[Symbol], layout: Layout) -> Source:
                 numbers[value] = None
             case Container(kind, members):
                 if kind == "robot":
-                    robot = True
+                    robot, hands = True, members or hands
                 elif members:
                     containers.append((kind, layout.mask(members)))
                 else:
@@ -107,7 +109,7 @@ def digest(symbols: frozenset[Symbol], layout: Layout) -> Source:
     return Source(
         tuple(types), tuple(colors), tuple(relations), tuple(indices), tuple(numbers), tuple(kinds), objects,
         tuple(furniture), tuple(containers), tuple(regions), tuple(attributes), tuple(collections), tuple(actions),
-        robot, symbols, _concrete(symbols),
+        robot, hands, symbols, _concrete(symbols),
     )  # fmt: skip
 
 

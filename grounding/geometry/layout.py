@@ -128,10 +128,10 @@ class Layout:
     def extent(self, mask: int, direction: str) -> Array:
         """How far each member of a set lies in a direction, in the order of `indices_of(mask)`, in [m]."""
         members = list(indices_of(mask))
-        if direction == "center":
+        if direction == "center" and members:
             points = self.positions[members]
             return np.asarray(-np.linalg.norm(points[:, :2] - points[:, :2].mean(axis=0), axis=1))
-        return self._scores[direction][members]
+        return self._scores.get(direction, self.positions[:, 2])[members]
 
     def ranked(self, mask: int, direction: str) -> tuple[int, ...]:
         """The members of a set, the most extreme in a direction first; equal ones: the higher, then by id."""
