@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 import hashlib
 import json
+import os
 import sys
 import time
 from collections.abc import Callable
@@ -36,9 +37,9 @@ def add_arguments(subparsers: Any) -> None:
                         help="folder of *.trees files that the grammar is learned from, beside the corpus")  # fmt: skip
     parser.add_argument("--output", type=Path, default=models.ROOT, metavar="DIR",
                         help="where grammar.json, weights.npz and weights.json go (default: models)")  # fmt: skip
-    parser.add_argument("--variants", type=int, default=VARIANTS, metavar="N",
+    parser.add_argument("--variants", type=_count, default=VARIANTS, metavar="N",
                         help="so many variants of every tree are annotated and learned from as well")  # fmt: skip
-    parser.add_argument("--penalty", type=float, default=PENALTY, help="strength of the L2 regularisation")
+    parser.add_argument("--penalty", type=_strength, default=PENALTY, help="strength of the L2 regularisation")
 
 
 def run(args: argparse.Namespace) -> int:
@@ -49,12 +50,15 @@ def run(args: argparse.Namespace) -> int:
     args.output.mkdir(parents=True, exist_ok=True)
     _say(f"grammar from {len(trees)} trees")
     grammar = Grammar.learn(trees.values())
-    (args.output / models.GRAMMAR.name).write_text(grammar.to_json(), encoding="utf-8")
-    _say(f"{args.variants} variants of each tree, annotated")
-    variants = build_variants(read_trees(args.trees), models.SCENES, args.variants)
-    examples = [*_examples(corpus), *_examples(variants)]
+    examples = _examples(corpus)
+    if args.variants:
+        _say(f"{args.variants} variants of each tree, annotated")
+        examples += _examples(build_variants(read_trees(args.trees), models.SCENES, args.variants))
     _say(f"factors from {len(examples)} examples")
     model = learn(examples, args.penalty, _progress(), {"examples": len(examples), "corpus": _fingerprint(corpus)})
+    written = args.output / (models.GRAMMAR.name + ".part")
+    written.write_text(grammar.to_json(), encoding="utf-8")
+    os.replace(written, args.output / models.GRAMMAR.name)
     save_model(model, args.output / models.WEIGHTS.name)
     summary = {
         "trees": len(trees), "examples": len(examples), "features": model.feature_count,
@@ -62,6 +66,20 @@ def run(args: argparse.Namespace) -> int:
     }  # fmt: skip
     print(json.dumps(summary))
     return 0
+
+
+def _count(text: str) -> int:
+    value = int(text)
+    if value < 0:
+        raise argparse.ArgumentTypeError(f"{text} is below 0")
+    return value
+
+
+def _strength(text: str) -> float:
+    value = float(text)
+    if not 0 <= value < float("inf"):
+        raise argparse.ArgumentTypeError(f"{text} is no strength; it is a number from 0")
+    return value
 
 
 def _examples(corpus: Corpus) -> list[Annotated]:
