@@ -58,7 +58,7 @@ def tasks(draw):
 
 
 @given(tasks())
-@settings(max_examples=150)
+@settings(max_examples=80)
 def test_destinations_are_free_supported_and_where_they_were_asked_for(task):
     world, name, region = task
     found = find_destination(region, (name,), world)
@@ -74,7 +74,7 @@ def test_destinations_are_free_supported_and_where_they_were_asked_for(task):
 
 
 @given(tasks())
-@settings(max_examples=60)
+@settings(max_examples=30)
 def test_the_same_place_every_time(task):
     world, name, region = task
     again = World(tuple(reversed(world.objects)))
@@ -82,7 +82,7 @@ def test_the_same_place_every_time(task):
 
 
 @given(tasks())
-@settings(max_examples=40)
+@settings(max_examples=30)
 def test_what_stands_on_the_table_leaves_room_for_fingers(task):
     world, name, region = task
     found = find_destination(region, (name,), world)

@@ -19,7 +19,7 @@ TREES = (
 @pytest.fixture
 def small(tmp_path):
     """A corpus of a few shipped examples and a folder of gold trees."""
-    lines = (models.TREEBANK / "treebank.jsonl").read_text(encoding="utf-8").splitlines()[::300]
+    lines = (models.TREEBANK / "treebank.jsonl").read_text(encoding="utf-8").splitlines()[::600]
     (tmp_path / "small.jsonl").write_text("\n".join(lines) + "\n", encoding="utf-8")
     worlds = json.loads((models.TREEBANK / "treebank.worlds.json").read_text(encoding="utf-8"))
     used = {json.loads(line)["world"] for line in lines}

@@ -57,21 +57,21 @@ def mapped(world, place):
 
 
 @given(seeds)
-@settings(max_examples=25)
+@settings(max_examples=15)
 def test_a_mirror_keeps_rows_rows(seed):
     world = composed(seed % 500).world
     same(members(world), members(mapped(world, lambda p: p * (1, -1, 1))))
 
 
 @given(seeds, st.floats(-0.5, 0.5))
-@settings(max_examples=25)
+@settings(max_examples=15)
 def test_moving_everything_aside_changes_nothing(seed, shift):
     world = composed(seed % 500).world
     same(members(world), members(mapped(world, lambda p: p + np.array((0, shift, 0)))))
 
 
 @given(seeds)
-@settings(max_examples=25)
+@settings(max_examples=15)
 def test_a_quarter_turn_makes_columns_of_rows(seed):
     world = composed(seed % 500).world
     turned = members(mapped(world, lambda p: np.array([p[1], p[0], p[2]])))
@@ -82,7 +82,7 @@ def test_a_quarter_turn_makes_columns_of_rows(seed):
 
 
 @given(seeds, st.randoms(use_true_random=False))
-@settings(max_examples=25)
+@settings(max_examples=15)
 def test_order_and_names_say_nothing(seed, random):
     world = composed(seed % 500).world
     names = [item.id for item in world.things]
