@@ -27,6 +27,10 @@ def name_object(layout: Layout, object_id: str, among: Sequence[str] = ()) -> st
         return f"the {layout.world[object_id].type}"
     index = layout.index[object_id]
     item = layout.things[index]
+    if among:  # what holds among all things is better to say than what holds among those in question
+        name = name_object(layout, object_id)
+        if not name.endswith(object_id):
+            return name
     rivals = layout.mask(among) | 1 << index if among else layout.matching(item.type, None)
     noun = item.type
     if item.color != "unknown":

@@ -12,9 +12,10 @@ from grounding.language.lexicon import meanings
 from grounding.language.tree import Phrase
 from grounding.readings import Reading
 from grounding.result import Destination, GroundedAction, Grounding, PhraseGrounding
-from grounding.symbols import Action, Container, ObjectColor, ObjectType, Symbol, symbol_key
+from grounding.symbols import Action, Container, ContainerAttribute, ObjectColor, ObjectType, Symbol, symbol_key
 
-CONFIDENT = 0.5  # an answer is given when it is likelier than all others together
+CONFIDENT = 0.62  # an answer is given when it is clearly likelier than all others together
+_NEGATIONS = frozenset(("not", "n't", "never", "don't", "dont", "without", "except"))
 _LISTED = 0.01  # alternatives less likely than this are not worth naming
 _MOST = 5
 _NOUN_TAGS = ("NN", "NNS", "NNP", "NNPS")
@@ -30,6 +31,9 @@ def decide(text: str, found: Sequence[Reading], layout: Layout, unknown_words: I
         unknown_words: that the grammar does not know.
     """
     unknown = tuple(unknown_words)
+    refusal = _beyond(found[0].inference.tree)
+    if refusal is not None:
+        return Grounding(text, "not_understood", (), (), None, refusal, unknown, 0.0, _phrases(found[0], {}))
     belief: dict[Action, float] = {}
     bearers: dict[Action, Reading] = {}
     nothing = 0.0
@@ -58,6 +62,18 @@ def decide(text: str, found: Sequence[Reading], layout: Layout, unknown_words: I
     count = len(alternatives)
     why = f"{len(ordered)} readings are possible" if count > 1 else "the only reading is not sure enough"
     return Grounding(text, "ambiguous", (), alternatives, question, why, unknown, 0.0, _phrases(bearers[best], belief))
+
+
+def _beyond(tree: Phrase) -> str | None:
+    """What an instruction says beyond what can be carried out, so that half of it must not be."""
+    for leaf in tree.leaves:
+        if leaf.text in _NEGATIONS:
+            return f"{leaf.text!r} tells me what not to do or to leave out; say what to do"
+    for phrase in tree.preorder():
+        steps = [child for child in phrase.phrases if child.tag == "VP"]
+        if len(steps) > 1 and any(word.tag == "CC" for word in phrase.words):
+            return f"this asks for several things; one at a time, please: {steps[0].text!r} first"
+    return None
 
 
 def _alternative(action: Action, probability: float, layout: Layout) -> GroundedAction:
@@ -120,9 +136,25 @@ def _nothing(text: str, reading: Reading, layout: Layout, unknown: tuple[str, ..
             below = frozenset().union(*(child.symbols for child in hypothesis.children), frozenset())
             missing = whats_missing(layout, hypothesis.symbols, below)
             why = None if missing is None else f"{phrase.text!r}: {missing}"
-    why = why or "nothing in this world is what these words describe"
+    if why is None:
+        hollow = [p.text for p, h in reversed(walked) if p.tag in ("NP", "PP") and not h.symbols]
+        why = f"nothing here is {hollow[0]!r}" if hollow else "nothing in this world is what these words describe"
+    counted = _open_count(said, layout)
+    if counted is not None and not strange:
+        return Grounding(text, "ambiguous", (), (), counted, "it is open which ones are meant", unknown, 0.0, phrases)
     heard = tuple(dict.fromkeys((*unknown, *strange)))
     return Grounding(text, "no_referent", (), (), None, why, heard, 0.0, phrases)
+
+
+def _open_count(said: frozenset[Symbol], layout: Layout) -> str | None:
+    """Asks which ones, where fewer are wanted than there are; None where no number leaves that open."""
+    for symbol in sorted(said, key=symbol_key):
+        if isinstance(symbol, ContainerAttribute) and symbol.number and symbol.relation is None:
+            there = layout.matching(symbol.object_type, symbol.color).bit_count()
+            if symbol.number < there:
+                noun = " ".join(filter(None, (symbol.color, symbol.object_type or "object")))
+                return f"There are {there} {noun}s; which {symbol.number} of them do you mean?"
+    return None
 
 
 def _strange_nouns(tree: Phrase, layout: Layout) -> Iterator[str]:

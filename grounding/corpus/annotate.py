@@ -190,8 +190,13 @@ class _Annotator:
         ranked = relation or ""
         if kind != "tower" and not layout.stacked(pool):
             ranked = UPRIGHT.get(ranked, ranked)
-        if nearest_to:
+        crowded = modifier.sort == "region" and modifier.region is not None and not member and pool.bit_count() > 1
+        if crowded and relation is None and index is None and modifier.region is not None:
+            chosen = self._first_met(pool, modifier.region)
+        elif nearest_to:
             chosen = self._closest(phrase, pool & ~layout.mask(nearest_to), nearest_to)
+        elif relation == "center" and modifier.sort == "direction":
+            chosen = layout.central(pool)
         elif relation is not None:
             chosen = self._rank(phrase, pool, ranked, index or 1, kind if modifier.chosen or member else "")
         else:
@@ -340,7 +345,8 @@ class _Annotator:
                 return self._existential(phrase, child, relation, preposition)
             if relation == "between" and (child.sort != "many" or child.number != 2):
                 raise NotAnnotatable(f"PP {phrase.text!r}: between what?")
-            kind = "object" if relation == "between" else child.reference_kind
+            pair = relation == "between" and child.reference_kind == "group"
+            kind = "object" if pair else child.reference_kind
             region = Region(relation, kind, child.reference)
             return Meaning("region", frozenset({region}), region=region, preposition=preposition)
         if preposition in _COPYING and child.sort != "empty":
@@ -387,7 +393,7 @@ class _Annotator:
         elif target.number is None:
             sets = [target.pool] if target.pool else []
         else:
-            raise NotAnnotatable(f"VP {phrase.text!r}: which {target.number}?")
+            sets = []  # which of them is open
         actions: frozenset[Symbol] = frozenset(
             Action(kind, self.layout.names(mask), region)
             for mask in sets
@@ -415,7 +421,7 @@ class _Annotator:
         return self._objects(mask) | {Container(kind, self.layout.names(mask))}
 
     def _rank(self, phrase: Phrase, pool: int, direction: str, index: int, kind: str) -> int:
-        if direction == "center" and kind in ("row", "column") and index == 1:
+        if direction == "center" and kind in ("row", "column", "tower") and index == 1:
             middle = self.layout.median(pool)
             if not middle:
                 raise NotAnnotatable(f"{phrase.text!r}: an even number has no middle")
@@ -455,6 +461,15 @@ class _Annotator:
         if len(order) > 1 and distance[order[1]] - distance[order[0]] < MARGIN:
             raise NotAnnotatable(f"{phrase.text!r}: too close to call")
         return 1 << members[int(order[0])]
+
+    def _first_met(self, pool: int, region: Region) -> int:
+        """Of several objects in a direction of a thing, the one that comes first, if it clearly does."""
+        if region.relation not in ("left", "right", "front", "back", "near") or region.objects in ((), ("table",)):
+            return 0
+        members = list(indices_of(pool))
+        away = self.layout.distance_to(pool, region.objects)
+        order = np.argsort(away, kind="stable")
+        return 1 << members[int(order[0])] if away[order[0]] < 0.75 * away[order[1]] else 0
 
     def _extreme_arrangement(
         self, phrase: Phrase, cands: list[tuple[str, int]], direction: str, index: int

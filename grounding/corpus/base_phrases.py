@@ -51,6 +51,7 @@ class _Words:
     robot: bool = False
     unknown: bool = False
     lying: str = ""
+    several: bool = False
     size: int = 0
 
 
@@ -73,6 +74,8 @@ def annotate_base(phrase: Phrase, layout: Layout, arrangements: tuple[tuple[str,
             raise NotAnnotatable(f"NP {phrase.text!r}: which table?")
         of_table: set[Symbol] = {ObjectSymbol(tables[0]), ObjectType("table")}
         return Meaning("table", frozenset(of_table), reference=tuple(tables))
+    if len(said.relations) == 2 and "far" in said.relations:
+        said.relations.remove("far")  # "the far left" is the left, far out
     if len(said.relations) > 1 or len(said.colors) > 1 or len(said.numbers) > 1 or len(said.indices) > 1:
         raise NotAnnotatable(f"NP {phrase.text!r}: two words for the same thing")
     if said.kinds:
@@ -129,9 +132,9 @@ def _sort_symbols(phrase: Phrase, said: _Words, text: str, tag: str, symbols: fr
         said.robot = True
         return
     if kinds:
-        if is_plural(tag) or text in ("pair", "pairs"):
-            raise NotAnnotatable(f"NP {phrase.text!r}: {text!r} is not covered")
+        said.several = is_plural(tag)
         said.kinds = tuple(kinds)
+        said.numbers += [s.value for s in symbols if isinstance(s, Cardinal)]
         return
     relations = sorted(s.name for s in symbols if isinstance(s, SpatialReference))
     if relations:
@@ -245,6 +248,8 @@ def _container(phrase: Phrase, said: _Words, layout: Layout, arrangements: tuple
     symbols = _labels(said)
     symbols |= {Container(kind) for kind in said.kinds}
     chosen = None
+    if said.several:
+        return _containers(phrase, said, layout, arrangements)
     if len(found) == 1:
         chosen = found[0]
     elif found and relation:
@@ -272,6 +277,24 @@ def _container(phrase: Phrase, said: _Words, layout: Layout, arrangements: tuple
         said.definite, mask, mask, said.kinds, (chosen,) if chosen else tuple(found), layout.names(mask),
         chosen[0] if chosen else "group", size=said.size,
     )  # fmt: skip
+
+
+def _containers(phrase: Phrase, said: _Words, layout: Layout, arrangements: tuple[tuple[str, int], ...]) -> Meaning:
+    """Several containers, all of their kind: "the two rows"."""
+    found = [a for a in arrangements if a[0] in said.kinds]
+    number = said.numbers[0] if said.numbers else None
+    if said.relations or said.colors or len(said.kinds) > 1 or len(found) < 2 or number not in (None, len(found)):
+        raise NotAnnotatable(f"NP {phrase.text!r}: not all containers of a kind")
+    mask = 0
+    for _, members in found:
+        if mask & members:
+            raise NotAnnotatable(f"NP {phrase.text!r}: they share members")
+        mask |= members
+    symbols = _labels(said) | {Container(kind) for kind in said.kinds}
+    symbols |= {Container(kind, layout.names(members)) for kind, members in found}
+    symbols |= {ObjectSymbol(name) for name in layout.names(mask)}
+    return Meaning("many", frozenset(symbols), pool=mask, chosen=mask, number=len(found), definite=True,
+                   reference=layout.names(mask), reference_kind=said.kinds[0])  # fmt: skip
 
 
 def _reach(layout: Layout, mask: int, direction: str) -> float:

@@ -65,7 +65,7 @@ def lay(name: str, world: World, containers: Iterable[Container] = ()) -> LaidWo
     """Digest a world; arrangements that chance made and that catch the eye count like those that were laid."""
     layout = Layout(world)
     known = [(c.kind, layout.mask(c.objects)) for c in containers]
-    for found in layout.prominent(a for a in layout.arrangements if a.evident):
+    for found in layout.prominent(a for a in layout.arrangements if (a.kind, a.mask) in layout.evident):
         if not any(found.mask & mask and (found.kind == kind or found.kind == "group") for kind, mask in known):
             known.append((found.kind, found.mask))
     return LaidWorld(name, layout, tuple(known))

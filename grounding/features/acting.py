@@ -45,6 +45,11 @@ def _references(scope: Scope, source: Source, role: str) -> list[tuple[str, tupl
     layout = scope.layout
     for kind, mask in source.containers:
         found.append((kind, layout.names(mask), f"container of {role}"))
+    if len(source.containers) > 1:
+        union = 0
+        for _, mask in source.containers:
+            union |= mask
+        found.append((source.containers[0][0], layout.names(union), f"containers of {role}"))
     if source.objects:
         names = layout.names(source.objects)
         how = "object" if len(names) == 1 else "objects"
@@ -115,7 +120,9 @@ def _targets(scope: Scope, target: Source) -> list[tuple[tuple[str, ...], str]]:
     if target.kinds:
         lists = scope.fitting.lists
         return [(layout.names(a.mask), "a possible container") for a in lists.get("counted", lists["seen"])]
-    return [(layout.names(pool), "all that match")]
+    counts = set(target.numbers)
+    counted = "" if not counts else " as counted" if pool.bit_count() in counts else " against the count"
+    return [(layout.names(pool), f"all that match{counted}")]
 
 
 def _destinations(scope: Scope) -> list[tuple[Region | None, str]]:

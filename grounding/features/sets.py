@@ -108,11 +108,20 @@ class NamedSets:
                         found[f"flat[{ref}|{who}|{index_who}]"] = layout.nth(mask, flat, index)
                 if direction == "center":
                     found[f"middle[{ref}]"] = layout.median(mask)
+                    found[f"central[{ref}]"] = layout.central(mask)
                 for count_who, count in self.numbers:
                     found[f"k[{ref}|{who}|{count_who}]"] = layout.extreme(mask, flat or direction, count)
         found.update(self._closest())
         found.update(self._members_of_regions())
         return {name: mask for name, mask in found.items() if mask}
+
+    def _nearest(self, pool: int, names: tuple[str, ...]) -> int:
+        away = self.layout.distance_to(pool, names)
+        members = list(indices_of(pool))
+        order = np.argsort(away, kind="stable")
+        if len(order) > 1 and away[order[0]] > 0.75 * away[order[1]] and "table" in names:
+            return 0
+        return 1 << members[int(order[0])]
 
     def _members_of_regions(self) -> dict[str, int]:
         """What lies in a region's direction among the region's own reference: the top of a tower, the end of a row."""
@@ -140,8 +149,10 @@ class NamedSets:
                 names = source.regions[0].objects
             pool = self.base & ~self.layout.mask(names)
             if names and pool:
-                members = list(indices_of(pool))
-                found[f"closest[{role}]"] = 1 << members[int(np.argmin(self.layout.distance_to(pool, names)))]
+                found[f"closest[{role}]"] = self._nearest(pool, names)
+            inside = self.references.get(f"{role}.region", 0)
+            if names and inside & (inside - 1):
+                found[f"closest[{role}.region]"] = self._nearest(inside, names)
         return found
 
     @cached_property

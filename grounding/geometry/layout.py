@@ -51,6 +51,14 @@ class Layout:
         """Lines, circles, clusters and towers."""
         return find_arrangements(self.positions, self.edges)
 
+    @cached_property
+    def evident(self) -> frozenset[tuple[str, int]]:
+        """What people would name unasked, by kind and members: a row is not called a group as well."""
+        shapes = self.prominent(a for a in self.arrangements if a.kind != "group" and a.evident)
+        groups = self.prominent(a for a in self.arrangements if a.kind == "group" and a.evident)
+        apart = [g for g in groups if not any(g.mask & shape.mask for shape in shapes)]
+        return frozenset((a.kind, a.mask) for a in (*shapes, *apart))
+
     def fitting(self, kinds: tuple[str, ...], wanted: int, counts: frozenset[int]) -> tuple[Arrangement, ...]:
         """The prominent arrangements of some kinds (any if empty), made of wanted objects, of some counts (any)."""
         key = (kinds, wanted, counts)
@@ -153,6 +161,14 @@ class Layout:
         if index == LAST:
             return 1 << order[-1] if order else 0
         return 1 << order[index - 1] if 0 < index <= len(order) else 0
+
+    def central(self, mask: int) -> int:
+        """The member nearest to the middle of everything that lies there."""
+        members = list(indices_of(mask))
+        if not members:
+            return 0
+        away = np.linalg.norm(self.positions[members, :2] - self.positions[:, :2].mean(axis=0), axis=1)
+        return 1 << members[int(np.argmin(away))]
 
     def extreme(self, mask: int, direction: str, count: int) -> int:
         """The `count` most extreme members in a direction; empty where there are fewer."""

@@ -70,7 +70,7 @@ _CONTAINERS: dict[str, str] = {
     "robot": "robot baxter gripper you",
 }
 _ACTIONS: dict[str, str] = {
-    "pick": "pick grab take lift get select grasp raise fetch hold bring collect choose",
+    "pick": "pick pickup give pass hand grab take lift get select grasp raise fetch hold bring collect choose",
     "place": "put place set move stack lay drop position slide push",
     "clear": "clear remove",
 }
