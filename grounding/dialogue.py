@@ -12,7 +12,7 @@ from grounding.language.lexicon import meanings
 from grounding.language.tree import Phrase
 from grounding.readings import Reading
 from grounding.result import Destination, GroundedAction, Grounding, PhraseGrounding
-from grounding.symbols import Action, Container, ContainerAttribute, ObjectColor, ObjectType, Symbol, symbol_key
+from grounding.symbols import Action, Container, ContainerAttribute, ObjectColor, ObjectType, Region, Symbol, symbol_key
 
 CONFIDENT = 0.62  # an answer is given when it is clearly likelier than all others together
 _NEGATIONS = frozenset(("not", "n't", "never", "don't", "dont", "without", "except"))
@@ -125,9 +125,14 @@ def _nothing(text: str, reading: Reading, layout: Layout, unknown: tuple[str, ..
     phrases = _phrases(reading, {})
     if not asks or not (names or strange):
         heard = tuple(dict.fromkeys((*unknown, *_strange_words(reading.inference.tree))))
-        reason = f"I do not understand {_quoted(heard)}" if heard else "this asks for no pick, place or clear"
+        reason = "say what to handle: which block, row or tower" if asks else "this asks for no pick, place or clear"
+        if heard:
+            reason = f"I do not understand {_quoted(heard)}"
         return Grounding(text, "not_understood", (), (), None, reason, heard, 0.0, phrases)
     why: str | None = None
+    if not strange and Action("place") in said and not any(isinstance(s, Region) for s in said):
+        open_place = "where to is open: say where to put it, such as on, beside or behind something"
+        return Grounding(text, "ambiguous", (), (), "Where shall I put it?", open_place, unknown, 0.0, phrases)
     if strange:
         known = sorted({item.type for item in layout.things}) or ["nothing"]
         why = f"I know of nothing called {_quoted(strange)} here; the world has: {', '.join(known)}"
@@ -139,7 +144,8 @@ def _nothing(text: str, reading: Reading, layout: Layout, unknown: tuple[str, ..
     if why is None:
         hollow = [p.text for p, h in reversed(walked) if p.tag in ("NP", "PP") and not h.symbols]
         why = f"nothing here is {hollow[0]!r}" if hollow else "nothing in this world is what these words describe"
-    counted = _open_count(said, layout)
+    kinds = any(isinstance(s, Container) and s != Container("robot") for s in said)
+    counted = None if kinds else _open_count(said, layout)
     if counted is not None and not strange:
         return Grounding(text, "ambiguous", (), (), counted, "it is open which ones are meant", unknown, 0.0, phrases)
     heard = tuple(dict.fromkeys((*unknown, *strange)))

@@ -179,7 +179,7 @@ def _one(phrase: Phrase, said: _Words, layout: Layout) -> Meaning:
     pool = layout.matching(object_type, color)
     if said.only and not single(pool):
         raise NotAnnotatable(f"NP {phrase.text!r}: not the only one")
-    chosen = 0
+    chosen, unclear = 0, False
     if relation is not None:
         ranked = relation if layout.stacked(pool) else UPRIGHT.get(relation, relation)
         chosen = layout.nth(pool, ranked, index or 1)
@@ -187,16 +187,15 @@ def _one(phrase: Phrase, said: _Words, layout: Layout) -> Meaning:
         place = (index or 1) - 1
         pairs = [(a, a + 1) for a in (place - 1, place) if a >= 0 and a + 1 < len(extent)]
         if chosen and any(extent[a] - extent[b] < 0.01 for a, b in pairs):
-            if ranked not in UPRIGHT:
-                raise NotAnnotatable(f"NP {phrase.text!r}: too close to call")
-            chosen = 0  # the top of which tower is decided above
+            unclear = ranked not in UPRIGHT
+            chosen = chosen if unclear else 0  # the top of which tower is decided above
     elif index is None and single(pool):
         chosen = pool
     symbols = _labels(said)
     symbols.add(ObjectAttribute(object_type, color, relation, index or (1 if relation else None)))
     symbols |= {ObjectSymbol(name) for name in layout.names(chosen)}
     return Meaning("one", frozenset(symbols), object_type, color, relation, index, pool=pool, chosen=chosen,
-                   reference=layout.names(chosen))  # fmt: skip
+                   reference=layout.names(chosen), unclear=unclear)  # fmt: skip
 
 
 def _many(phrase: Phrase, said: _Words, layout: Layout) -> Meaning:

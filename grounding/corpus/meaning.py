@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from grounding.errors import CorpusError
-from grounding.symbols import Region, Symbol
+from grounding.symbols import Container, ContainerAttribute, ObjectAttribute, ObjectSymbol, Region, Symbol
 
 
 class NotAnnotatable(CorpusError):
@@ -35,6 +35,7 @@ class Meaning:
         reference_kind: "object" or the kind of the container that `reference` is.
         region: the region, or None.
         preposition: of a PP, its words.
+        unclear: whether `chosen` is too close to call; fine while something around it decides.
         size: 1 for "tallest", -1 for "shortest", 0 else.
     """
 
@@ -54,4 +55,20 @@ class Meaning:
     reference_kind: str = "object"
     region: Region | None = None
     preposition: str = ""
+    unclear: bool = False
     size: int = 0
+
+
+def is_empty(meaning: Meaning) -> bool:
+    """Whether a noun phrase means something that is not there."""
+    if meaning.sort == "container":
+        return not meaning.chosen and not meaning.arrangements
+    return meaning.sort in ("one", "many") and not meaning.chosen and not meaning.pool
+
+
+def passed(meaning: Meaning) -> frozenset[Symbol]:
+    """What a phrase passes on to the one around it: all but the labels and words of the noun phrase itself."""
+    if meaning.sort in ("one", "many", "container", "table"):
+        kept = (ObjectSymbol, Container, ContainerAttribute, ObjectAttribute)
+        return frozenset(s for s in meaning.symbols if isinstance(s, kept))
+    return meaning.symbols

@@ -65,7 +65,7 @@ def lay(name: str, world: World, containers: Iterable[Container] = ()) -> LaidWo
     """Digest a world; arrangements that chance made and that catch the eye count like those that were laid."""
     layout = Layout(world)
     known = [(c.kind, layout.mask(c.objects)) for c in containers]
-    for found in layout.prominent(a for a in layout.arrangements if (a.kind, a.mask) in layout.evident):
+    for found in layout.evident_of((), layout.everything):
         if not any(found.mask & mask and (found.kind == kind or found.kind == "group") for kind, mask in known):
             known.append((found.kind, found.mask))
     return LaidWorld(name, layout, tuple(known))
@@ -144,7 +144,7 @@ def build_variants(
     worlds = [*shipped_worlds(scenes_folder), *composed_worlds(composed, seed)]
     rng = np.random.default_rng(seed)
     varied = {str(tree): tree for original in trees for tree in (vary(original, rng) for _ in range(variants))}
-    limits = {"grounded": 1.5, "ambiguous": 0.2, "no_referent": 0.1}
+    limits = {"grounded": 1.5, "ambiguous": 0.2, "no_referent": 0.2}
     return _corpus(annotate_everywhere(list(varied.values()), worlds, limits, seed, "v"), worlds)
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 import io
 import json
 import os
@@ -16,7 +17,7 @@ import numpy as np
 from grounding.errors import ModelError
 from grounding.factors.model import Factor, FactorModel
 
-VERSION = 1
+VERSION = 2
 _DIGITS = 5  # of a weight: two machines that differ in the last bits of a sum still write the same file
 _EPOCH = (1980, 1, 1, 0, 0, 0)
 _DAMAGE = (OSError, ValueError, LookupError, TypeError, AttributeError, EOFError, RecursionError, NotImplementedError,
@@ -49,7 +50,8 @@ def save_model(model: FactorModel, path: Path) -> None:
             buffer = io.BytesIO()
             np.lib.format.write_array(buffer, np.ascontiguousarray(array), allow_pickle=False)
             archive.writestr(zipfile.ZipInfo(f"{name}.npy", _EPOCH), buffer.getvalue(), zipfile.ZIP_DEFLATED, 9)
-    data = {"version": VERSION, "notes": dict(model.notes), "factors": names}
+    digest = hashlib.sha256(packed.getvalue()).hexdigest()
+    data = {"version": VERSION, "notes": dict(model.notes), "factors": names, "sha256": digest}
     text = json.dumps(data, indent=0, sort_keys=True) + "\n"
     _replace(path.with_suffix(".npz"), packed.getvalue())
     _replace(path.with_suffix(".json"), text.encode())
@@ -66,7 +68,10 @@ def load_model(path: Path) -> FactorModel:
     factors: dict[str, Factor] = {}
     try:
         notes = dict(data["notes"])
-        with np.load(io.BytesIO(weights_path.read_bytes()), allow_pickle=False) as arrays:
+        packed = weights_path.read_bytes()
+        if hashlib.sha256(packed).hexdigest() != data["sha256"]:
+            raise ValueError(f"they are not those that {path.with_suffix('.json').name} was written with")
+        with np.load(io.BytesIO(packed), allow_pickle=False) as arrays:
             for family, names in data["factors"].items():
                 weights = np.zeros((len(names["facts"]), len(names["roles"])))
                 weights[arrays[f"{family}.rows"], arrays[f"{family}.columns"]] = arrays[f"{family}.weights"]

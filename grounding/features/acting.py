@@ -88,6 +88,8 @@ def actions(scope: Scope) -> Proposals:
     for names, how in _targets(scope, target):
         for kind in kinds:
             for region, whence in destinations:
+                if (kind == "place") == (whence.startswith("nowhere")):
+                    continue  # a place has a destination, nothing else has
                 if region is not None and set(region.objects) & set(names) and whence != "beside itself":
                     continue
                 if whence == "beside itself":

@@ -44,7 +44,7 @@ class Fitting:
         """Lists of candidates, by how they were narrowed down; the most prominent of overlapping ones only."""
         layout = self.layout
         seen = layout.fitting(self.kinds, self.wanted, frozenset())
-        found = {"seen": seen, "evident": tuple(a for a in seen if (a.kind, a.mask) in layout.evident)}
+        found = {"seen": seen, "evident": layout.evident_of(self.kinds, self.wanted)}
         counts = frozenset(count for _, count in self.sets.numbers)
         if counts:
             found["counted"] = layout.fitting(self.kinds, self.wanted, counts)

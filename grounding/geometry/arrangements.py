@@ -52,7 +52,7 @@ class Arrangement:
         if self.kind == "tower":
             return 2.0 + self.count
         if self.kind == "group":
-            return float(min(self.separation, 4.0) - 1.1) * (0.5 if self.count == 2 else 1.0)
+            return float(min(self.separation, 4.0) - 1.1) * (1.0 if 3 <= self.count <= 8 else 0.4)
         fit = np.exp(-((self.deviation / 0.35) ** 2) - (self.angle / 0.4) ** 2 - ((1 - self.regularity) / 0.6) ** 2)
         return float(fit) * float(self.count - (1.0 if self.kind != "circle" else 2.0)) * min(self.separation, 1.5)
 

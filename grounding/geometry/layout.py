@@ -16,6 +16,11 @@ from grounding.world import Array, World
 ABSOLUTE = ("left", "right", "front", "back", "near", "far", "top", "bottom")
 
 
+def _mostly(mask: int, shape: int) -> bool:
+    """Whether most members of a set are members of a shape."""
+    return (mask & shape).bit_count() > 0.7 * mask.bit_count()
+
+
 class Layout:
     """Measurements of one world; index i is the i-th of `world.things`, sets are masks.
 
@@ -53,11 +58,15 @@ class Layout:
 
     @cached_property
     def evident(self) -> frozenset[tuple[str, int]]:
-        """What people would name unasked, by kind and members: a row is not called a group as well."""
+        """What people would name unasked, by kind and members.
+
+        A row is not called a group as well, and three of a group that happen to be in line are not called a row.
+        """
         shapes = self.prominent(a for a in self.arrangements if a.kind != "group" and a.evident)
         groups = self.prominent(a for a in self.arrangements if a.kind == "group" and a.evident)
-        apart = [g for g in groups if not any(g.mask & shape.mask for shape in shapes)]
-        return frozenset((a.kind, a.mask) for a in (*shapes, *apart))
+        apart = [g for g in groups if not any(_mostly(g.mask, shape.mask) for shape in shapes)]
+        chance = {s.mask for s in shapes for g in apart if s.count == 3 and not s.mask & ~g.mask}
+        return frozenset((a.kind, a.mask) for a in (*shapes, *apart) if a.kind == "tower" or a.mask not in chance)
 
     def fitting(self, kinds: tuple[str, ...], wanted: int, counts: frozenset[int]) -> tuple[Arrangement, ...]:
         """The prominent arrangements of some kinds (any if empty), made of wanted objects, of some counts (any)."""
@@ -69,6 +78,15 @@ class Layout:
                 if (not kinds or a.kind in kinds) and not a.mask & ~wanted and (not counts or a.count in counts)
             )
         return self._fitting[key]
+
+    def evident_of(self, kinds: tuple[str, ...], wanted: int) -> tuple[Arrangement, ...]:
+        """The evident arrangements of some kinds (any if empty), made of wanted objects; most prominent first."""
+        found = [
+            a
+            for a in self.arrangements
+            if (a.kind, a.mask) in self.evident and (not kinds or a.kind in kinds) and not a.mask & ~wanted
+        ]
+        return tuple(sorted(found, key=lambda a: (-a.prominence, a.kind, a.mask)))
 
     @cached_property
     def by_members(self) -> Mapping[tuple[str, int], Arrangement]:

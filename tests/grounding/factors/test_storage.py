@@ -76,7 +76,7 @@ def test_a_missing_file_is_named(saved, ending):
 def test_another_version_is_refused(saved):
     path = saved.with_suffix(".json")
     path.write_text(json.dumps({**json.loads(path.read_text()), "version": 99}))
-    with pytest.raises(ModelError, match="version 99; this program reads version 1"):
+    with pytest.raises(ModelError, match="version 99; this program reads version 2"):
         load_model(saved)
 
 
@@ -103,11 +103,11 @@ def test_damaged_numbers_are_refused_or_harmless(tmp_path_factory, data):
 @pytest.mark.parametrize(
     "text",
     [
-        "", "{", "[]", "null", '"x"', "{}", '{"version": 1}', '{"version": 1, "notes": {}, "factors": []}',
-        '{"version": 1, "factors": {}}', '{"version": 1, "notes": {}, "factors": {"a": {"facts": 3, "roles": []}}}',
-        '{"version": 1, "notes": {}, "factors": {"a": []}}', "[" * 100_000,
-        '{"version": 1, "notes": {}, "factors": {"strange": {"facts": ["f"], "roles": ["r"]}}}',
-        '{"version": 1, "notes": {}, "factors": {"object": {"facts": ["f"], "roles": ["r"]}}}',
+        "", "{", "[]", "null", '"x"', "{}", '{"version": 2}', '{"version": 2, "notes": {}, "factors": []}',
+        '{"version": 2, "factors": {}}', '{"version": 2, "notes": {}, "factors": {"a": {"facts": 3, "roles": []}}}',
+        '{"version": 2, "notes": {}, "factors": {"a": []}}', "[" * 100_000,
+        '{"version": 2, "notes": {}, "factors": {"strange": {"facts": ["f"], "roles": ["r"]}}}',
+        '{"version": 2, "notes": {}, "factors": {"object": {"facts": ["f"], "roles": ["r"]}}}',
     ],
 )  # fmt: skip
 def test_damaged_names_are_refused(saved, text):
