@@ -12,7 +12,7 @@ from grounding.language.lexicon import meanings
 from grounding.language.tree import Phrase
 from grounding.readings import Reading
 from grounding.result import Destination, GroundedAction, Grounding, PhraseGrounding
-from grounding.symbols import Action, Container, ContainerAttribute, ObjectColor, ObjectType, Region, Symbol, symbol_key
+from grounding.symbols import Action, Container, ContainerAttribute, ObjectColor, ObjectType, Symbol, symbol_key
 
 CONFIDENT = 0.62  # an answer is given when it is clearly likelier than all others together
 _NEGATIONS = frozenset(("not", "n't", "never", "don't", "dont", "without", "except"))
@@ -130,7 +130,7 @@ def _nothing(text: str, reading: Reading, layout: Layout, unknown: tuple[str, ..
             reason = f"I do not understand {_quoted(heard)}"
         return Grounding(text, "not_understood", (), (), None, reason, heard, 0.0, phrases)
     why: str | None = None
-    if not strange and Action("place") in said and not any(isinstance(s, Region) for s in said):
+    if not strange and layout.size and any(_lacks_place(phrase, h) for phrase, h in walked):
         open_place = "where to is open: say where to put it, such as on, beside or behind something"
         return Grounding(text, "ambiguous", (), (), "Where shall I put it?", open_place, unknown, 0.0, phrases)
     if strange:
@@ -150,6 +150,15 @@ def _nothing(text: str, reading: Reading, layout: Layout, unknown: tuple[str, ..
         return Grounding(text, "ambiguous", (), (), counted, "it is open which ones are meant", unknown, 0.0, phrases)
     heard = tuple(dict.fromkeys((*unknown, *strange)))
     return Grounding(text, "no_referent", (), (), None, why, heard, 0.0, phrases)
+
+
+def _lacks_place(phrase: Phrase, hypothesis: Hypothesis) -> bool:
+    """Whether a phrase asks to place something without saying where."""
+    return (
+        Action("place") in hypothesis.symbols
+        and phrase.tag == "VP"
+        and not any(child.tag in ("PP", "SBAR", "ADVP", "VP", "S") for child in phrase.phrases)
+    )
 
 
 def _open_count(said: frozenset[Symbol], layout: Layout) -> str | None:
