@@ -41,6 +41,9 @@ What there is:
 
 from __future__ import annotations
 
+import motion.engine  # noqa: F401  # first: it makes do without OpenGL, as importing MuJoCo by itself does not
+
+# isort: split
 from motion.errors import (
     GraspUnavailable,
     InvalidGoal,

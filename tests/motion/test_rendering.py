@@ -80,3 +80,11 @@ def test_a_wish_that_cannot_be_met_does_not_stop_the_physics():
     environment = {**os.environ, "MUJOCO_GL": "osmesa"}
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, env=environment, check=True)
     assert done.stdout.strip() == "False"
+
+
+@pytest.mark.parametrize("wished", ["osmesa", "egl", "nonsense"])
+def test_whatever_backend_is_wished_for_motion_can_be_imported(wished):
+    code = "import motion\nprint(len(motion.Scene(()).boxes))"
+    environment = {**os.environ, "MUJOCO_GL": wished}
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, env=environment, check=True)
+    assert done.stdout.strip() == "0"
