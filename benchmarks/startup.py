@@ -35,11 +35,14 @@ WITHOUT_OPENGL = {"MUJOCO_GL": "disable"}
 def seconds_of(arguments: tuple[str, ...], folder: Path, environment: Mapping[str, str]) -> float:
     """Wall-clock seconds of `python -m ARGUMENTS`, run in `folder`."""
     start = time.perf_counter()
-    subprocess.run(
+    result = subprocess.run(
         [sys.executable, "-m", *arguments],
-        cwd=folder, env={**os.environ, "PYTHONPATH": str(ROOT), **environment}, check=True, capture_output=True,
+        cwd=folder, env={**os.environ, "PYTHONPATH": str(ROOT), **environment}, capture_output=True, text=True,
     )  # fmt: skip
-    return time.perf_counter() - start
+    seconds = time.perf_counter() - start
+    if result.returncode:
+        raise SystemExit(f"python -m {' '.join(arguments)}: exit code {result.returncode}\n{result.stderr}")
+    return seconds
 
 
 def measured(repeats: int, folder: Path) -> dict[str, Any]:
@@ -49,7 +52,11 @@ def measured(repeats: int, folder: Path) -> dict[str, Any]:
         environment = WITHOUT_OPENGL if name.endswith("OpenGL") else {}
         seconds_of(arguments, folder, environment)
         times = [seconds_of(arguments, folder, environment) for _ in range(repeats)]
-        found[name] = {"median": round(statistics.median(times), 2), "max": round(max(times), 2)}
+        found[name] = {
+            "min": round(min(times), 2),
+            "median": round(statistics.median(times), 2),
+            "max": round(max(times), 2),
+        }
     empty = {"XDG_CACHE_HOME": str(folder / "cache")}
     found["first build"] = {"seconds": round(seconds_of(COMMANDS["run"], folder, empty), 2)}
     return found
