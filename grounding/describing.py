@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from grounding.geometry.layout import Layout
 from grounding.geometry.masks import single
-from grounding.symbols import Container, ContainerAttribute, ObjectAttribute, Symbol
+from grounding.symbols import Container, ContainerAttribute, ObjectAttribute, Symbol, symbol_key
 
 _EXTREMES = {
     "left": "leftmost", "right": "rightmost", "near": "nearest", "far": "farthest", "center": "middle",
@@ -58,9 +58,22 @@ def name_objects(layout: Layout, ids: Sequence[str], among: Sequence[str] = ()) 
         if arrangement.mask == mask and arrangement.kind != "group":
             return f"the {arrangement.kind} of {len(ids)}"
     if len(ids) > 3:
-        return f"{len(ids)} objects"
+        ends = [layout.nth(mask, direction, 1) for direction in ("left", "right")]
+        first, last = (name_object(layout, layout.names(end)[0]) for end in ends)
+        return f"the {len(ids)} from {first} to {last}"
     names = [name_object(layout, i) for i in ids]
     return ", ".join(names[:-1]) + f" and {names[-1]}"
+
+
+def too_few(layout: Layout, symbols: frozenset[Symbol]) -> str | None:
+    """Whether a phrase ranks an object beyond what there is; says so, or None."""
+    for symbol in sorted(symbols, key=symbol_key):
+        if isinstance(symbol, ObjectAttribute) and symbol.index is not None:
+            told = " ".join(filter(None, (symbol.color, symbol.object_type or "object")))
+            count = layout.matching(symbol.object_type, symbol.color).bit_count()
+            if 0 < count < symbol.index:
+                return f"there is no {told} number {symbol.index}; there are {count}"
+    return None
 
 
 def whats_missing(layout: Layout, symbols: frozenset[Symbol], child_symbols: frozenset[Symbol]) -> str | None:
@@ -82,9 +95,9 @@ def whats_missing(layout: Layout, symbols: frozenset[Symbol], child_symbols: fro
                 return f"there is no {symbol.color} {told}; what is here is {_listed(sorted(set(colors)))}"
             if not matching:
                 return f"there is no {told} here; the world has {_listed(sorted({o.type for o in layout.things}))}"
-            count = matching.bit_count()
-            if isinstance(symbol, ObjectAttribute) and symbol.index is not None and symbol.index > count:
-                return f"there is no {told} number {symbol.index}; there are {count}"
+    few = too_few(layout, symbols | child_symbols)
+    if few is not None:
+        return few
     kinds = sorted({s.kind for s in symbols | child_symbols if isinstance(s, Container) and not s.objects})
     counts = {s.number for s in symbols | child_symbols if isinstance(s, ContainerAttribute) and s.number}
     for kind in kinds:

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Sequence
 
-from grounding.describing import name_objects, whats_missing
+from grounding.describing import name_objects, too_few
 from grounding.destinations import find_destination
 from grounding.geometry.layout import Layout
 from grounding.inference import Hypothesis
@@ -12,9 +12,11 @@ from grounding.language.lexicon import meanings
 from grounding.language.tree import Phrase
 from grounding.readings import Reading
 from grounding.result import Destination, GroundedAction, Grounding, PhraseGrounding
-from grounding.symbols import Action, Container, ContainerAttribute, ObjectColor, ObjectType, Symbol, symbol_key
+from grounding.symbols import Action, Symbol, symbol_key
+from grounding.unanswered import unanswered, walk
 
 CONFIDENT = 0.62  # an answer is given when it is clearly likelier than all others together
+_PAST = frozenset(("was", "were", "been"))
 _NEGATIONS = frozenset(("not", "n't", "never", "don't", "dont", "without", "except"))
 _LISTED = 0.01  # alternatives less likely than this are not worth naming
 _MOST = 5
@@ -45,7 +47,7 @@ def decide(text: str, found: Sequence[Reading], layout: Layout, unknown_words: I
             bearers.setdefault(action, reading)
     ordered = sorted(belief.items(), key=lambda item: (-item[1], symbol_key(item[0])))
     if not ordered or nothing > 0.5:
-        return _nothing(text, found[0], layout, unknown)
+        return _without_answer(text, found[0], layout, unknown)
     best, probability = ordered[0]
     if probability >= CONFIDENT:
         destination = (
@@ -57,6 +59,11 @@ def decide(text: str, found: Sequence[Reading], layout: Layout, unknown_words: I
         chosen = GroundedAction(best.kind, best.objects, probability, destination)
         others = tuple(_alternative(a, p, layout) for a, p in ordered[1 : _MOST + 1] if p >= _LISTED)
         return Grounding(text, "grounded", (chosen,), others, None, "", unknown, 0.0, _phrases(bearers[best], belief))
+    for phrase, hypothesis in walk(found[0].inference.tree, found[0].hypothesis):
+        few = too_few(layout, hypothesis.symbols)
+        if few is not None:
+            why = f"{phrase.text!r}: {few}"
+            return Grounding(text, "no_referent", (), (), None, why, unknown, 0.0, _phrases(bearers[best], belief))
     alternatives = tuple(_alternative(a, p, layout) for a, p in ordered[:_MOST] if p >= _LISTED)
     question = _question([a for a, p in ordered if p >= _LISTED], layout)
     count = len(alternatives)
@@ -69,11 +76,26 @@ def _beyond(tree: Phrase) -> str | None:
     for leaf in tree.leaves:
         if leaf.text in _NEGATIONS:
             return f"{leaf.text!r} tells me what not to do or to leave out; say what to do"
+        if leaf.text in _PAST:
+            return f"{leaf.text!r} tells what was, not what to do; say what to do"
+        if leaf.text[:1].isdigit() and not meanings(leaf.text):
+            return f"I do not understand the number {leaf.text!r}; whole numbers from 1, and ranks such as 2nd, will do"
+        if leaf.text == "or":
+            return "'or' leaves the choice open; say which one"
     for phrase in tree.preorder():
         steps = [child for child in phrase.phrases if child.tag == "VP"]
         if len(steps) > 1 and any(word.tag == "CC" for word in phrase.words):
             return f"this asks for several things; one at a time, please: {steps[0].text!r} first"
     return None
+
+
+def _without_answer(text: str, reading: Reading, layout: Layout, unknown: tuple[str, ...]) -> Grounding:
+    why = unanswered(reading, layout, unknown)
+    options = tuple(GroundedAction(kind, names, share) for kind, names, share in why.alternatives)
+    heard = why.words or unknown
+    return Grounding(
+        text, why.outcome, (), options, why.question, why.explanation, heard, 0.0, _phrases(reading, {})
+    )  # fmt: skip
 
 
 def _alternative(action: Action, probability: float, layout: Layout) -> GroundedAction:
@@ -113,87 +135,6 @@ def _where(action: Action, layout: Layout) -> str:
              "bottom": "under", "far": "far from"}  # fmt: skip
     reference = name_objects(layout, region.objects) if region.objects else "the robot"
     return f"{words[region.relation]} {reference}"
-
-
-def _nothing(text: str, reading: Reading, layout: Layout, unknown: tuple[str, ...]) -> Grounding:
-    """No reading names anything: is it the words or the world?"""
-    walked = list(_walk(reading.inference.tree, reading.hypothesis))
-    said = frozenset(symbol for _, h in walked for symbol in h.symbols)
-    asks = any(isinstance(symbol, Action) for symbol in said) or reading.inference.tree.tag == "NP"
-    names = any(isinstance(s, ObjectType | ObjectColor | Container) and s != Container("robot") for s in said)
-    strange = [word for word in _strange_nouns(reading.inference.tree, layout) if asks]
-    phrases = _phrases(reading, {})
-    if not asks or not (names or strange):
-        heard = tuple(dict.fromkeys((*unknown, *_strange_words(reading.inference.tree))))
-        reason = "say what to handle: which block, row or tower" if asks else "this asks for no pick, place or clear"
-        if heard:
-            reason = f"I do not understand {_quoted(heard)}"
-        return Grounding(text, "not_understood", (), (), None, reason, heard, 0.0, phrases)
-    why: str | None = None
-    if not strange and layout.size and any(_lacks_place(phrase, h) for phrase, h in walked):
-        open_place = "where to is open: say where to put it, such as on, beside or behind something"
-        return Grounding(text, "ambiguous", (), (), "Where shall I put it?", open_place, unknown, 0.0, phrases)
-    if strange:
-        known = sorted({item.type for item in layout.things}) or ["nothing"]
-        why = f"I know of nothing called {_quoted(strange)} here; the world has: {', '.join(known)}"
-    for phrase, hypothesis in reversed(walked):
-        if why is None:
-            below = frozenset().union(*(child.symbols for child in hypothesis.children), frozenset())
-            missing = whats_missing(layout, hypothesis.symbols, below)
-            why = None if missing is None else f"{phrase.text!r}: {missing}"
-    if why is None:
-        hollow = [p.text for p, h in reversed(walked) if p.tag in ("NP", "PP") and not h.symbols]
-        why = f"nothing here is {hollow[0]!r}" if hollow else "nothing in this world is what these words describe"
-    kinds = any(isinstance(s, Container) and s != Container("robot") for s in said)
-    counted = None if kinds else _open_count(said, layout)
-    if counted is not None and not strange:
-        return Grounding(text, "ambiguous", (), (), counted, "it is open which ones are meant", unknown, 0.0, phrases)
-    heard = tuple(dict.fromkeys((*unknown, *strange)))
-    return Grounding(text, "no_referent", (), (), None, why, heard, 0.0, phrases)
-
-
-def _lacks_place(phrase: Phrase, hypothesis: Hypothesis) -> bool:
-    """Whether a phrase asks to place something without saying where."""
-    return (
-        Action("place") in hypothesis.symbols
-        and phrase.tag == "VP"
-        and not any(child.tag in ("PP", "SBAR", "ADVP", "VP", "S") for child in phrase.phrases)
-    )
-
-
-def _open_count(said: frozenset[Symbol], layout: Layout) -> str | None:
-    """Asks which ones, where fewer are wanted than there are; None where no number leaves that open."""
-    for symbol in sorted(said, key=symbol_key):
-        if isinstance(symbol, ContainerAttribute) and symbol.number and symbol.relation is None:
-            there = layout.matching(symbol.object_type, symbol.color).bit_count()
-            if symbol.number < there:
-                noun = " ".join(filter(None, (symbol.color, symbol.object_type or "object")))
-                return f"There are {there} {noun}s; which {symbol.number} of them do you mean?"
-    return None
-
-
-def _strange_nouns(tree: Phrase, layout: Layout) -> Iterator[str]:
-    types = layout.types
-    for phrase in tree.preorder():
-        nouns = [word for word in phrase.words if word.tag in _NOUN_TAGS]
-        if phrase.tag == "NP" and nouns and not meanings(nouns[-1].text) and nouns[-1].text not in types:
-            yield nouns[-1].text
-
-
-def _strange_words(tree: Phrase) -> Iterator[str]:
-    for leaf in tree.leaves:
-        if leaf.tag[:2] in ("NN", "VB", "JJ") and not meanings(leaf.text):
-            yield leaf.text
-
-
-def _quoted(words: Sequence[str]) -> str:
-    return ", ".join(f"'{word}'" for word in words)
-
-
-def _walk(phrase: Phrase, hypothesis: Hypothesis) -> Iterator[tuple[Phrase, Hypothesis]]:
-    yield phrase, hypothesis
-    for child, part in zip(phrase.phrases, hypothesis.children, strict=True):
-        yield from _walk(child, part)
 
 
 def _phrases(reading: Reading, belief: dict[Action, float]) -> tuple[PhraseGrounding, ...]:

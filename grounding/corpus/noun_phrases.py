@@ -112,7 +112,7 @@ class NounPhrases:
         if kind != "tower" and not layout.stacked(pool):
             ranked = UPRIGHT.get(ranked, ranked)
         crowded = modifier.sort == "region" and modifier.region is not None and not member and pool.bit_count() > 1
-        if crowded and relation is None and index is None and modifier.region is not None:
+        if crowded and not nearest_to and relation is None and index is None and modifier.region is not None:
             chosen = self.select.first_met(pool, modifier.region)
         elif nearest_to:
             chosen = self.select.closest(phrase, pool & ~layout.mask(nearest_to), nearest_to)

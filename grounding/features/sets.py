@@ -67,6 +67,15 @@ class NamedSets:
         return found
 
     @cached_property
+    def lined(self) -> frozenset[str]:
+        """The reference sets that are rows, columns or towers: their middle is by rank."""
+        return frozenset(
+            f"{role}.in"
+            for role, source in self.sources.items()
+            if any(kind in ("row", "column", "tower") for kind, _ in source.containers)
+        )
+
+    @cached_property
     def directions(self) -> tuple[tuple[str, str], ...]:
         """(who says it, direction), every one that is spoken of."""
         return tuple((role, d) for role in _SAYING for d in self.sources.get(role, NOTHING).relations)
@@ -101,6 +110,9 @@ class NamedSets:
                     continue
                 flat = _UPRIGHT.get(direction)
                 upright = flat is None or layout.stacked(mask)
+                if direction == "center" and ref in self.lined:
+                    found[f"middle[{ref}]"] = layout.median(mask)
+                    continue
                 for index_who, index in self.indices:
                     if upright:
                         found[f"nth[{ref}|{who}|{index_who}]"] = layout.nth(mask, direction, index)

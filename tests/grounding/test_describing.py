@@ -82,7 +82,7 @@ def test_furniture_is_called_what_it_is():
         (ObjectAttribute("block", "green"), "no green block; what is here is blue and red"),
         (ContainerAttribute("block", "green", None, 2), "no green block"),
         (ObjectAttribute("mug"), "no mug here; the world has block"),
-        (ObjectAttribute("block", "red", "left", 4), "no block number 4; there are 2"),
+        (ObjectAttribute("block", "red", "left", 4), "no red block number 4; there are 2"),
         (Container("circle"), "no circle here"),
     ],
 )
