@@ -15,6 +15,8 @@ from contextlib import contextmanager, nullcontext
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NoReturn
 
+from integration.interrupts import Interrupts
+
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
@@ -41,10 +43,12 @@ def main(argv: Sequence[str] | None = None) -> int:
     Returns:
         the exit code.
     """
+    interrupts = Interrupts()
     try:
-        code = _run(_arguments(argv))
-        sys.stdout.flush()
-        return code
+        with interrupts:
+            code = _run(_arguments(argv), interrupts)
+            sys.stdout.flush()
+        return INTERRUPTED if interrupts.seen else code
     except SystemExit as exit_:
         return exit_.code if isinstance(exit_.code, int) else BAD_INPUT
     except KeyboardInterrupt:
@@ -100,7 +104,7 @@ def load_scene(name: str) -> World:
     raise UsageError(f"there is no scene {name!r}; there are {', '.join(scene_names())}, and world files (.json)")
 
 
-def _run(args: argparse.Namespace) -> int:
+def _run(args: argparse.Namespace, interrupts: Interrupts) -> int:
     from integration.errors import UsageError
 
     if not args.text.strip():
@@ -110,12 +114,14 @@ def _run(args: argparse.Namespace) -> int:
 
     with _watching(args, world) as watch:
         executor, loading = started(arm=args.arm, seed=args.seed)
+        interrupts.heed()
         grounding, step = executor.ground(args.text, world)
         drawing = None
         if not args.no_pictures:
             from integration.pictures import Drawing
 
             drawing = Drawing(grounding, world, args.output)
+        interrupts.heed()
         with drawing or nullcontext():
             report = executor.execute(grounding, world, watch, (loading, step))
             report, hint = (report, None) if drawing is None else drawing.finished(report)
@@ -181,5 +187,14 @@ def _expected() -> tuple[type[BaseException], ...]:
     return GroundingError, IntegrationError, MotionError, OSError
 
 
+def _leave(code: int) -> NoReturn:
+    """End the process; after an interrupt at once, as compiled modules may still be loading in a thread."""
+    if code == INTERRUPTED:
+        sys.stdout.flush()
+        sys.stderr.flush()
+        os._exit(code)
+    sys.exit(code)
+
+
 if __name__ == "__main__":
-    sys.exit(main())
+    _leave(main())
