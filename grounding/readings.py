@@ -9,13 +9,16 @@ from dataclasses import dataclass
 from grounding.geometry.layout import Layout
 from grounding.geometry.masks import indices_of
 from grounding.inference import Hypothesis, Inference
+from grounding.language.lexicon import is_universal, meanings
 from grounding.language.tree import Phrase
 from grounding.symbols import (
     Action,
+    Cardinal,
     Container,
     ContainerAttribute,
     ObjectAttribute,
     ObjectSymbol,
+    ObjectType,
     Region,
     Symbol,
     symbol_key,
@@ -68,15 +71,38 @@ def requested(tree: Phrase, hypothesis: Hypothesis, layout: Layout) -> tuple[Act
     """What a hypothesis asks for. A noun phrase alone asks to pick up what it means."""
     actions = [s for s in hypothesis.symbols if isinstance(s, Action) and s.objects]
     if actions:
-        return tuple(sorted(actions, key=symbol_key))
+        return _agreeing(tree, sorted(actions, key=symbol_key))
     if tree.tag == "NP":
-        return pick_of(hypothesis.symbols, layout)
+        return _agreeing(tree, pick_of(hypothesis.symbols, layout))
     if tree.tag in ("FRAG", "S", "SBAR"):
         for child, part in zip(tree.phrases, hypothesis.children, strict=True):
             found = requested(child, part, layout)
             if found:
                 return found
     return ()
+
+
+def _agreeing(tree: Phrase, actions: Sequence[Action]) -> tuple[Action, ...]:
+    """Number agreement: where one block is spoken of and several were found, it is open which one is meant."""
+    if not _speaks_of_one(tree):
+        return tuple(actions)
+    single = (Action(a.kind, (name,), a.destination) for a in actions for name in a.objects)
+    return tuple(dict.fromkeys(single))
+
+
+def _speaks_of_one(tree: Phrase) -> bool:
+    """Whether what is handled is a single object by the words' number: "the block in the row", not "each block"."""
+    phrase = tree
+    while phrase.phrases:
+        inner = [child for child in phrase.phrases if child.tag in ("NP", "VP", "S")]
+        if not inner or any(word.tag == "CC" for word in phrase.words):
+            return False
+        phrase = inner[-1] if phrase.tag in ("S", "SBAR") else inner[0]
+    nouns = [word for word in phrase.words if word.tag in ("NN", "NNS")]
+    if phrase.tag != "NP" or not nouns or any(is_universal(word.text) for word in phrase.words):
+        return False
+    numbers = any(isinstance(s, Cardinal) and s.value > 1 for word in phrase.words for s in meanings(word.text))
+    return nouns[-1].tag == "NN" and not numbers and any(isinstance(s, ObjectType) for s in meanings(nouns[-1].text))
 
 
 def pick_of(symbols: frozenset[Symbol], layout: Layout) -> tuple[Action, ...]:

@@ -225,7 +225,7 @@ def _many(phrase: Phrase, said: _Words, layout: Layout) -> Meaning:
     symbols = _labels(said)
     symbols.add(ContainerAttribute(object_type, color, relation, number))
     if chosen:
-        symbols |= {Container("group", layout.names(chosen))}
+        symbols |= set() if single(chosen) else {Container("group", layout.names(chosen))}
         symbols |= {ObjectSymbol(name) for name in layout.names(chosen)}
     return Meaning("many", frozenset(symbols), object_type, color, relation, None, number, said.definite, pool, chosen,
                    reference=layout.names(chosen), reference_kind="group")  # fmt: skip

@@ -151,7 +151,7 @@ class NounPhrases:
             else:
                 pool &= modifier.chosen
                 chosen = self.select.count(phrase, pool, number, relation)
-                if chosen == modifier.chosen and modifier.reference_kind != "object":
+                if chosen == modifier.chosen and modifier.sort == "container":
                     kind = modifier.reference_kind
         elif modifier.sort == "region" and modifier.region is not None:
             if modifier.region.kind != "robot":

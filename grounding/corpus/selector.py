@@ -6,7 +6,7 @@ import numpy as np
 
 from grounding.corpus.meaning import NotAnnotatable
 from grounding.geometry.layout import Layout
-from grounding.geometry.masks import indices_of
+from grounding.geometry.masks import indices_of, single
 from grounding.language.tree import Phrase
 from grounding.symbols import LAST, Container, ObjectSymbol, Region, Symbol
 
@@ -24,7 +24,9 @@ class Selector:
         return frozenset(ObjectSymbol(name) for name in self.layout.names(mask))
 
     def contained(self, kind: str, mask: int) -> frozenset[Symbol]:
-        """A container and its members."""
+        """A container and its members; one object is no container."""
+        if single(mask):
+            return self.objects(mask)
         return self.objects(mask) | {Container(kind, self.layout.names(mask))}
 
     def rank(self, phrase: Phrase, pool: int, direction: str, index: int, kind: str) -> int:

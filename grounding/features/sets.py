@@ -61,6 +61,8 @@ class NamedSets:
                 side = layout.side(source.relations[0])
                 if side is not None:
                     found["mod.side"] = base & side
+        if "mod.region" in found or "mod.in" in found:
+            del found["all"]  # what a modifier restricts is looked for within it only
         for role in ("head", "inner", "object"):  # what was carried upward: a set and a region
             if f"{role}.in" in found and f"{role}.region" in found:
                 found[f"{role}.both"] = found[f"{role}.in"] & found[f"{role}.region"]
