@@ -183,7 +183,7 @@ def test_an_interrupted_run_ends_without_a_traceback(tmp_path):
         [sys.executable, "-m", "integration.run", text, "--scene", "twenty_mixed", "--output", str(tmp_path)],
         cwd=Path(run.__file__).parents[1], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
     )  # fmt: skip
-    time.sleep(1.0)
+    time.sleep(1.5)
     process.send_signal(signal.SIGINT)
     _, errors = process.communicate()
     assert process.returncode == run.INTERRUPTED
