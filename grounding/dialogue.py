@@ -7,13 +7,13 @@ from collections.abc import Iterable, Sequence
 from grounding.describing import name_objects, too_few
 from grounding.destinations import find_destination
 from grounding.geometry.layout import Layout
-from grounding.inference import Hypothesis
+from grounding.inference import Hypothesis, aligned
 from grounding.language.lexicon import meanings
 from grounding.language.tree import Phrase
 from grounding.readings import Reading
 from grounding.result import Destination, GroundedAction, Grounding, PhraseGrounding
 from grounding.symbols import Action, Symbol, symbol_key
-from grounding.unanswered import unanswered, walk
+from grounding.unanswered import unanswered
 
 CONFIDENT = 0.62  # an answer is given when it is clearly likelier than all others together
 _PAST = frozenset(("was", "were", "been"))
@@ -59,7 +59,7 @@ def decide(text: str, found: Sequence[Reading], layout: Layout, unknown_words: I
         chosen = GroundedAction(best.kind, best.objects, probability, destination)
         others = tuple(_alternative(a, p, layout) for a, p in ordered[1 : _MOST + 1] if p >= _LISTED)
         return Grounding(text, "grounded", (chosen,), others, None, "", unknown, 0.0, _phrases(bearers[best], belief))
-    for phrase, hypothesis in walk(found[0].inference.tree, found[0].hypothesis):
+    for phrase, hypothesis in aligned(found[0].inference.tree, found[0].hypothesis):
         few = too_few(layout, hypothesis.symbols)
         if few is not None:
             why = f"{phrase.text!r}: {few}"

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from grounding.describing import whats_missing
 from grounding.geometry.layout import Layout
 from grounding.geometry.masks import indices_of
-from grounding.inference import Hypothesis
+from grounding.inference import Hypothesis, aligned
 from grounding.language.lexicon import meanings
 from grounding.language.tree import Phrase
 from grounding.readings import Reading
@@ -60,7 +60,7 @@ def unanswered(reading: Reading, layout: Layout, unknown: Sequence[str]) -> Unan
         unknown: words that the grammar does not know.
     """
     tree = reading.inference.tree
-    walked = list(walk(tree, reading.hypothesis))
+    walked = list(aligned(tree, reading.hypothesis))
     said = frozenset(symbol for _, h in walked for symbol in h.symbols)
     asks = any(isinstance(symbol, Action) for symbol in said) or tree.tag == "NP"
     names = any(isinstance(s, ObjectType | ObjectColor | Container) and s != Container("robot") for s in said)
@@ -91,13 +91,6 @@ def unanswered(reading: Reading, layout: Layout, unknown: Sequence[str]) -> Unan
     hollow = [p.text for p, h in reversed(walked) if p.tag in ("NP", "PP") and not h.symbols]
     why = f"nothing here is {hollow[0]!r}" if hollow else "nothing in this world is what these words describe"
     return Unanswered("no_referent", why, words=heard)
-
-
-def walk(phrase: Phrase, hypothesis: Hypothesis) -> Iterator[tuple[Phrase, Hypothesis]]:
-    """Every phrase with its part of a hypothesis, parents before children."""
-    yield phrase, hypothesis
-    for child, part in zip(phrase.phrases, hypothesis.children, strict=True):
-        yield from walk(child, part)
 
 
 def _lacks_place(phrase: Phrase, hypothesis: Hypothesis) -> bool:

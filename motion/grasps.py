@@ -129,8 +129,3 @@ def _cost(box: Box, arm: str, rotation: Array, tilt: float) -> float:
     across = max(0.0, 0.05 - side * float(box.position[1]))
     turn = float(np.arccos(np.clip(-rotation[0, 0], -1, 1)))
     return 4.0 * across + 0.6 * abs(tilt) + 0.25 * turn
-
-
-def grip_of(scene: Scene, grasp: Grasp) -> Pose:
-    """Pose of the grasped box in the tool frame."""
-    return grasp.tool.inverse() @ scene.box(grasp.box).pose

@@ -9,12 +9,11 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import lru_cache
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import mink
 import numpy as np
 
-from motion.engine import mujoco
 from motion.errors import InvalidGoal, UnreachableTarget
 from motion.poses import Array, Pose, frozen
 from motion.recipe import recipe
@@ -202,15 +201,3 @@ def _explain(arm: Arm, target: Pose, best: _Best | None, refused: int, restarts:
 def _place(target: Pose) -> str:
     x, y, z = target.position
     return f"({x:.3f}, {y:.3f}, {z:.3f})"
-
-
-def tool_jacobian(arm: str, joints: Array) -> Array:
-    """(6, 7) Jacobian of the tool frame at `joints`: translation, then rotation, in the world's frame."""
-    data = load_robot().arm(arm)
-    scratch: Any = mujoco.MjData(data.model)
-    scratch.qpos[:] = joints
-    mujoco.mj_kinematics(data.model, scratch)
-    mujoco.mj_comPos(data.model, scratch)
-    translation, rotation = np.zeros((3, 7)), np.zeros((3, 7))
-    mujoco.mj_jacSite(data.model, scratch, translation, rotation, data.site)
-    return np.vstack([translation, rotation])

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from grounding.corpus.meaning import Meaning, NotAnnotatable
-from grounding.geometry.layout import Layout
+from grounding.geometry.layout import UPRIGHT, Layout
 from grounding.geometry.masks import indices_of, single
 from grounding.language.lexicon import is_plural, is_universal, meanings, size_order
 from grounding.language.tree import Phrase
@@ -23,7 +23,6 @@ from grounding.symbols import (
     Symbol,
 )
 
-UPRIGHT = {"top": "back", "bottom": "front"}  # on a table seen from above
 _PLACE_NOUNS = ("side", "end", "edge", "half")
 UNKNOWN_NOUNS = frozenset(
     "ball balls cup cups bottle bottles pen pens spoon mug hammer apple apples banana sponge toy coin book key shoe "

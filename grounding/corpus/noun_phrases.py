@@ -4,10 +4,9 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from grounding.corpus.base_phrases import UPRIGHT
 from grounding.corpus.meaning import Meaning, NotAnnotatable, is_empty, passed
 from grounding.corpus.selector import Selector
-from grounding.geometry.layout import Layout
+from grounding.geometry.layout import UPRIGHT, Layout
 from grounding.geometry.masks import single
 from grounding.language.tree import Phrase
 from grounding.symbols import Container, ContainerAttribute, ObjectAttribute, Region, Symbol

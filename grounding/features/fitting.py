@@ -9,10 +9,7 @@ import numpy as np
 from grounding.features.sets import NamedSets
 from grounding.features.sources import NOTHING, Source
 from grounding.geometry.arrangements import Arrangement
-from grounding.geometry.layout import Layout
-from grounding.geometry.masks import indices_of
-
-_UPRIGHT = {"top": "back", "bottom": "front"}
+from grounding.geometry.layout import UPRIGHT, Layout
 
 
 class Fitting:
@@ -87,7 +84,7 @@ class Fitting:
                 if by_size[-1].count < by_size[-2].count:
                     found[by_size[-1].kind, by_size[-1].mask].append(f"smallest[{name}]")
             for who, direction in self.sets.directions:
-                order = self._ranked(arrangements, _UPRIGHT.get(direction, direction))
+                order = self._ranked(arrangements, UPRIGHT.get(direction, direction))
                 for index_who, index in self.sets.indices:
                     place = len(order) - 1 if index < 0 else index - 1
                     if place < len(order):
@@ -104,7 +101,3 @@ class Fitting:
         else:
             score = [float(self.layout.extent(a.mask, direction).mean()) for a in arrangements]
         return [arrangements[i] for i in sorted(range(len(arrangements)), key=lambda i: -score[i])]
-
-    def names_of(self, mask: int) -> tuple[str, ...]:
-        """The ids in a set."""
-        return tuple(self.layout.ids[i] for i in indices_of(mask))

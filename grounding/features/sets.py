@@ -12,11 +12,10 @@ from functools import cached_property
 import numpy as np
 
 from grounding.features.sources import NOTHING, Source
-from grounding.geometry.layout import Layout
+from grounding.geometry.layout import UPRIGHT, Layout
 from grounding.geometry.masks import indices_of, single
 
 _SAYING = ("own", "head", "mod", "inner", "object")  # whose directions, indices and numbers count
-_UPRIGHT = {"top": "back", "bottom": "front"}  # on a table seen from above, top is away
 
 
 class NamedSets:
@@ -110,7 +109,7 @@ class NamedSets:
             for who, direction in self.directions:
                 if direction == "between":
                     continue
-                flat = _UPRIGHT.get(direction)
+                flat = UPRIGHT.get(direction)
                 upright = flat is None or layout.stacked(mask)
                 if direction == "center" and ref in self.lined:
                     found[f"middle[{ref}]"] = layout.median(mask)
@@ -147,7 +146,7 @@ class NamedSets:
                     found[f"nth[{role}.of]"] = self.layout.nth(pool, region.relation, 1)
                     if region.relation == "center":
                         found[f"middle[{role}.of]"] = self.layout.median(pool)
-                    flat = _UPRIGHT.get(region.relation)
+                    flat = UPRIGHT.get(region.relation)
                     if flat is not None:
                         found[f"flat[{role}.of]"] = self.layout.nth(pool, flat, 1)
         return found

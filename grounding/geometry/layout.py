@@ -13,6 +13,7 @@ from grounding.geometry.regions import in_any_region, in_region
 from grounding.symbols import LAST, Region
 from grounding.world import Array, World
 
+UPRIGHT = {"top": "back", "bottom": "front"}  # on a table seen from above, top is away
 ABSOLUTE = ("left", "right", "front", "back", "near", "far", "top", "bottom")
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import heapq
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import TypeVar
 
@@ -46,6 +46,13 @@ class Inference:
     hypotheses: tuple[Hypothesis, ...]
     evaluations: int
     symbols: int
+
+
+def aligned(phrase: Phrase, hypothesis: Hypothesis) -> Iterator[tuple[Phrase, Hypothesis]]:
+    """Every phrase with its part of a hypothesis, parents before children."""
+    yield phrase, hypothesis
+    for child, part in zip(phrase.phrases, hypothesis.children, strict=True):
+        yield from aligned(child, part)
 
 
 def best_sets(

@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from grounding.inference import Adcg, Hypothesis
-from grounding.language.tree import Phrase
+from grounding.inference import Adcg, aligned
 from grounding.learning.examples import Annotated
 from grounding.symbols import Symbol
 
@@ -59,10 +58,3 @@ def evaluate(examples: Iterable[Annotated], inference: Adcg, sample: float | Non
         errors += wrong[-1:]
     share = max(count, 1)
     return Evaluation(count, roots / share, wholes / share, right / max(phrases, 1), tuple(errors))
-
-
-def aligned(phrase: Phrase, hypothesis: Hypothesis) -> Iterable[tuple[Phrase, Hypothesis]]:
-    """Every phrase with its part of a hypothesis, parents before children."""
-    yield phrase, hypothesis
-    for child, part in zip(phrase.phrases, hypothesis.children, strict=True):
-        yield from aligned(child, part)
