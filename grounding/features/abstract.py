@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+from typing import NamedTuple
 
 from grounding.features.scope import Scope
 from grounding.geometry.masks import indices_of
@@ -26,13 +27,7 @@ def objects(scope: Scope) -> Proposals:
         for index in indices_of(mask):
             members.setdefault(index, [])
     for index, names in sorted(members.items()):
-        roles = list(dict.fromkeys(names))
-        roles += [f"in own {kind}" for kind, mask in scope.own_abstract.containers if mask >> index & 1]
-        for role, source in scope.child_sources.items():
-            if source.objects >> index & 1:
-                roles.append(f"in {role}")
-                if source.objects & (source.objects - 1) == 0:
-                    roles.append(f"is {role}")
+        roles = [*dict.fromkeys(names), *object_roles(scope, index)]
         proposals.append((ObjectSymbol(layout.ids[index]), roles))
     furniture: dict[str, list[str]] = {name: ["furniture of own container"] for name in scope.own_abstract.hands}
     for role, source in scope.child_sources.items():
@@ -47,26 +42,53 @@ def objects(scope: Scope) -> Proposals:
     return proposals
 
 
+def object_roles(scope: Scope, index: int) -> list[str]:
+    """Roles of a thing in what the phrase itself and its children have grounded to."""
+    roles = [f"in own {kind}" for kind, mask in scope.own_abstract.containers if mask >> index & 1]
+    for role, source in scope.child_sources.items():
+        if source.objects >> index & 1:
+            roles.append(f"in {role}")
+            if source.objects & (source.objects - 1) == 0:
+                roles.append(f"is {role}")
+    return roles
+
+
+class Parts(NamedTuple):
+    """What an attribute can be made of, with who says each part; `others` are its ranks or its counts."""
+
+    types: dict[str | None, str]
+    colors: dict[str | None, str]
+    relations: dict[str | None, str]
+    others: dict[int | None, str]
+
+
+NO_PARTS = Parts({}, {}, {}, {})
+
+
 def attributes(scope: Scope) -> Proposals:
     """Object attributes from what the phrase, its head and its modifiers speak of, and those of the children."""
+    parts = attribute_parts(scope)
     found: dict[ObjectAttribute, list[str]] = {}
-    for symbol, types_, colors_, relations_, indices_ in _combinations(scope):
-        attribute = ObjectAttribute(symbol[0], symbol[1], symbol[2], symbol[3])
-        found[attribute] = [f"type {types_}", f"color {colors_}", f"relation {relations_}", f"index {indices_}",
-                            f"ranks {relations_}|{indices_}"]  # fmt: skip
+    for t, c, r, i in itertools.product(*parts):
+        found[ObjectAttribute(t, c, r, i)] = attribute_roles(
+            parts.types[t], parts.colors[c], parts.relations[r], parts.others[i]
+        )
     for role, source in scope.child_sources.items():
         for attribute in source.attributes:
             found.setdefault(attribute, []).append(f"is {role}")
     return list(found.items())
 
 
-def _combinations(
-    scope: Scope,
-) -> list[tuple[tuple[str | None, str | None, str | None, int | None], str, str, str, str]]:
-    """All (type, colour, relation, index) that can be made of what is said, with who says each part."""
+def attribute_roles(type_: str, color: str, relation: str, index: str) -> list[str]:
+    """Roles of an object attribute, from who says its parts."""
+    return [f"type {type_}", f"color {color}", f"relation {relation}", f"index {index}", f"ranks {relation}|{index}"]
+
+
+def attribute_parts(scope: Scope) -> Parts:
+    """All types, colours, relations and indices that object attributes can be made of."""
     own, head, mod = scope.own, scope.source("head"), scope.source("mod")
     if not (own.types or head.attributes):
-        return []
+        return NO_PARTS
     heads = head.attributes[0] if head.attributes else None
     types: dict[str | None, str] = {}
     colors: dict[str | None, str] = {}
@@ -93,36 +115,45 @@ def _combinations(
     relations.setdefault(None, "unsaid" if relations else "none")
     indices.setdefault(1, "first")
     indices.setdefault(None, "none" if len(indices) == 1 else "unsaid")
-    return [
-        ((t, c, r, i), types[t], colors[c], relations[r], indices[i])
-        for t, c, r, i in itertools.product(types, colors, relations, indices)
-    ]
+    return Parts(types, colors, relations, indices)
 
 
 def collections(scope: Scope) -> Proposals:
     """Container attributes from what the phrase and its head speak of, and those of the children."""
-    own = scope.own
+    parts = collection_parts(scope)
     found: dict[ContainerAttribute, list[str]] = {}
-    if own.types or own.numbers or scope.plural or scope.universal:
-        types: dict[str | None, str] = dict.fromkeys(own.types, "own")
-        colors: dict[str | None, str] = dict.fromkeys(own.colors, "own")
-        relations: dict[str | None, str] = dict.fromkeys(own.relations, "own")
-        numbers: dict[int | None, str] = dict.fromkeys(own.numbers, "own")
-        types.setdefault(None, "unsaid" if types else "none")
-        colors.setdefault(None, "unsaid" if colors else "none")
-        relations.setdefault(None, "unsaid" if relations else "none")
-        if not numbers:
-            numbers.setdefault(scope.sets.base.bit_count(), "counted")
-        numbers.setdefault(None, "unsaid" if own.numbers else "none")
-        for t, c, r, n in itertools.product(types, colors, relations, numbers):
-            found[ContainerAttribute(t, c, r, n)] = [
-                f"type {types[t]}", f"color {colors[c]}", f"relation {relations[r]}", f"number {numbers[n]}",
-                f"all {types[t]}|{colors[c]}|{relations[r]}|{numbers[n]}",
-            ]  # fmt: skip
+    for t, c, r, n in itertools.product(*parts):
+        found[ContainerAttribute(t, c, r, n)] = collection_roles(
+            parts.types[t], parts.colors[c], parts.relations[r], parts.others[n]
+        )
     for role, source in scope.child_sources.items():
         for collection in source.collections:
             found.setdefault(collection, []).append(f"is {role}")
     return list(found.items())
+
+
+def collection_roles(type_: str, color: str, relation: str, number: str) -> list[str]:
+    """Roles of a container attribute, from who says its parts."""
+    return [f"type {type_}", f"color {color}", f"relation {relation}", f"number {number}",
+            f"all {type_}|{color}|{relation}|{number}"]  # fmt: skip
+
+
+def collection_parts(scope: Scope) -> Parts:
+    """All types, colours, relations and counts that container attributes can be made of."""
+    own = scope.own
+    if not (own.types or own.numbers or scope.plural or scope.universal):
+        return NO_PARTS
+    types: dict[str | None, str] = dict.fromkeys(own.types, "own")
+    colors: dict[str | None, str] = dict.fromkeys(own.colors, "own")
+    relations: dict[str | None, str] = dict.fromkeys(own.relations, "own")
+    numbers: dict[int | None, str] = dict.fromkeys(own.numbers, "own")
+    types.setdefault(None, "unsaid" if types else "none")
+    colors.setdefault(None, "unsaid" if colors else "none")
+    relations.setdefault(None, "unsaid" if relations else "none")
+    if not numbers:
+        numbers.setdefault(scope.sets.base.bit_count(), "counted")
+    numbers.setdefault(None, "unsaid" if own.numbers else "none")
+    return Parts(types, colors, relations, numbers)
 
 
 def containers(scope: Scope) -> Proposals:
@@ -141,16 +172,9 @@ def containers(scope: Scope) -> Proposals:
             found.setdefault(("group", source.objects), []).append(f"objects of {role}")
     arrangements = scope.layout.by_members
     robot = _robots(scope)
-    counts = {count for _, count in sets.numbers}
     proposals: Proposals = robot
     for (kind, mask), roles in found.items():
-        roles.append(f"kind {kind}")
-        if fitting.kinds:
-            roles.append("kind said" if kind in fitting.kinds else "other kind said")
-        if counts:
-            roles.append("count said" if mask.bit_count() in counts else "other count said")
-        if mask & ~fitting.wanted:
-            roles.append("unwanted members")
+        roles += [*kind_roles(scope, kind), *count_roles(scope, mask.bit_count()), *member_roles(scope, mask)]
         if kind == "group":
             roles += [f"as {name}" for name in sets.by_mask.get(mask, ())]
         arrangement = arrangements.get((kind, mask))
@@ -158,6 +182,23 @@ def containers(scope: Scope) -> Proposals:
             roles += arrangement.quality
         proposals.append((Container(kind, scope.layout.names(mask)), roles))
     return proposals
+
+
+def kind_roles(scope: Scope, kind: str) -> list[str]:
+    """Roles of a container that depend on its kind alone."""
+    said = scope.fitting.kinds
+    return [f"kind {kind}", *(["kind said" if kind in said else "other kind said"] if said else [])]
+
+
+def count_roles(scope: Scope, count: int) -> list[str]:
+    """Roles of a container that depend on the number of its members alone."""
+    said = {number for _, number in scope.sets.numbers}
+    return (["count said"] if count in said else ["other count said"]) if said else []
+
+
+def member_roles(scope: Scope, mask: int) -> list[str]:
+    """Roles of a container that depend on which its members are, not on where they lie."""
+    return ["unwanted members"] if mask & ~scope.fitting.wanted else []
 
 
 def _robots(scope: Scope) -> Proposals:

@@ -16,27 +16,41 @@ _TOO_MANY = 64  # actions that would be proposed where nothing but a type is sai
 def regions(scope: Scope) -> Proposals:
     """Regions of what the children grounded to, along the directions that are spoken of; the children's regions."""
     found: dict[Region, list[str]] = {}
-    phrase = scope.phrase
-    if phrase.tag in ("NP", "PP"):
-        relations: dict[str, str] = {}
+    relations = region_relations(scope)
+    for kind, objects, how in region_references(scope):
+        for relation, who in relations.items():
+            if relation == "between" and len(objects) < 2:
+                continue
+            found[Region(relation, kind, objects)] = region_roles(relation, who, kind, how)
+    for role, source in scope.child_sources.items():
+        for region in source.regions:
+            found.setdefault(region, []).append(f"is {role}")
+    return list(found.items())
+
+
+def region_roles(relation: str, who: str, kind: str, how: str) -> list[str]:
+    """Roles of a region, from who says its relation and how its reference came about."""
+    return [f"relation of {who}", f"relation {relation}", how, f"{how}|{who}", f"{relation}|{kind}"]
+
+
+def region_relations(scope: Scope) -> dict[str, str]:
+    """The directions that regions can have, with who speaks of them."""
+    relations: dict[str, str] = {}
+    if scope.phrase.tag in ("NP", "PP"):
         for role, source in (("own", scope.own), ("head", scope.source("head"))):
             for relation in source.relations:
                 relations.setdefault(relation, role)
         for symbol in scope.named:
             if isinstance(symbol, SpatialReference):
                 relations.setdefault(symbol.name, "word")
-        for role in ("mod", "inner"):
-            for kind, objects, how in _references(scope, scope.source(role), role):
-                for relation, who in relations.items():
-                    if relation == "between" and len(objects) < 2:
-                        continue
-                    found[Region(relation, kind, objects)] = [
-                        f"relation of {who}", f"relation {relation}", how, f"{how}|{who}", f"{relation}|{kind}",
-                    ]  # fmt: skip
-    for role, source in scope.child_sources.items():
-        for region in source.regions:
-            found.setdefault(region, []).append(f"is {role}")
-    return list(found.items())
+    return relations
+
+
+def region_references(scope: Scope) -> list[tuple[str, tuple[str, ...], str]]:
+    """What regions can be of: (kind, ids, how it came about)."""
+    if scope.phrase.tag not in ("NP", "PP"):
+        return []
+    return [found for role in ("mod", "inner") for found in _references(scope, scope.source(role), role)]
 
 
 def _references(scope: Scope, source: Source, role: str) -> list[tuple[str, tuple[str, ...], str]]:
