@@ -8,7 +8,7 @@ hypotheses is kept for every phrase.
 from __future__ import annotations
 
 import math
-from collections import OrderedDict
+from collections import Counter, OrderedDict
 from collections.abc import Sequence
 
 from grounding.factors.model import FactorModel
@@ -65,7 +65,7 @@ class Adcg:
         """
         run = _Run(self, layout, {} if memory is None else memory)
         hypotheses = run.phrase(tree)
-        return Inference(tree, tuple(hypotheses), run.evaluations, run.symbols)
+        return Inference(tree, tuple(hypotheses), run.evaluations, run.symbols, dict(run.sizes))
 
 
 class _Run:
@@ -77,6 +77,7 @@ class _Run:
         self.memory = memory
         self.evaluations = 0
         self.symbols = 0
+        self.sizes: Counter[str] = Counter()
 
     def phrase(self, phrase: Phrase) -> list[Hypothesis]:
         lists = [self.phrase(child) for child in phrase.phrases]
@@ -139,6 +140,7 @@ class _Run:
         for family in STAGES[scope.stage]:
             if family.name in scorer.role_ids:
                 proposals = family.propose(scope)
+                self.sizes[family.name] += len(proposals)
                 symbols += [symbol for symbol, _ in proposals]
                 odds += scorer.log_odds(family.name, values, [roles for _, roles in proposals])
         self.evaluations += len(symbols)

@@ -39,13 +39,15 @@ class Inference:
         tree: the phrases.
         hypotheses: for the root, the likeliest first.
         evaluations: how many factors were evaluated.
-        symbols: how many symbols were proposed, over all phrases.
+        symbols: how many symbols were considered, over all phrases.
+        sizes: the same by family: the sizes of the spaces that were searched.
     """
 
     tree: Phrase
     hypotheses: tuple[Hypothesis, ...]
     evaluations: int
     symbols: int
+    sizes: Mapping[str, int] = field(default_factory=dict)
 
 
 def aligned(phrase: Phrase, hypothesis: Hypothesis) -> Iterator[tuple[Phrase, Hypothesis]]:
