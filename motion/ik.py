@@ -1,30 +1,41 @@
-"""Inverse kinematics of one arm: mink's differential IK, restarted, within the joints' ranges.
+"""Inverse kinematics of one arm: joints that bring a frame of the hand to its target, or the reason why none do.
 
-Each step solves a small quadratic program for the joints' displacement (Zakka, "mink", after Kanoun et al., 2011): the
-frame task pulls the tool to its target, a little damping settles the redundant joint, and the joints' ranges and a
-bound on the step are hard limits. Differential IK is local, so a start that gets stuck is given up and another tried.
+Starts come from a table of configurations close to the target (`ik_seeds`), then at random; each is led to the target
+by Levenberg-Marquardt within the joints' ranges (`ik_newton`) or by mink with a solver of one's choice (`ik_mink`).
+Where every solution is in collision, mink moves the arm along its redundant joint, kept clear of what stands around
+(`ik_avoid`). What remains unreachable is explained (`ik_reasons`).
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator, Sequence
 from functools import lru_cache
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
-import mink
 import numpy as np
+import pinocchio
+from numpy.typing import ArrayLike
 
+from motion.collisions import Near
 from motion.errors import InvalidGoal, UnreachableTarget
+from motion.ik_avoid import Avoidance
+from motion.ik_mink import ORIENTATION_TOLERANCE, POSITION_TOLERANCE, differential_ik
+from motion.ik_newton import Descent, descend, settle
+from motion.ik_reasons import checked_distance, in_collision, out_of_reach
+from motion.ik_seeds import SeedTable
 from motion.poses import Array, Pose, frozen
 from motion.recipe import recipe
-from motion.robot import Arm, load_robot
+from motion.robot import load_robot
 
-POSITION_TOLERANCE = 1e-4
-ORIENTATION_TOLERANCE = 1e-3
-RESTARTS = 15
-_STEPS = 40
-_LARGEST_STEP = 0.6
-_DAMPING = 1e-5
+LM = "lm"
+"""The name of the solver that is not mink's: Levenberg-Marquardt on Pinocchio."""
+RESTARTS = 40
+_SLIDES = 2
+_SLIDING_SOLVER = "daqp"
+_LINE_STEPS = 8
+_LARGEST_JUMP = 0.25
+
+__all__ = ["LM", "ORIENTATION_TOLERANCE", "POSITION_TOLERANCE", "IkSolution", "reachable", "solve_ik", "track"]
 
 
 class IkSolution(NamedTuple):
@@ -43,66 +54,119 @@ class IkSolution(NamedTuple):
     attempts: int
 
 
-class _Best(NamedTuple):
-    error: float
-    joints: Array
-    distance: float
-
-
 def solve_ik(
     arm: str,
     target: Pose,
     *,
-    seed: Array | None = None,
+    seed: ArrayLike | None = None,
     rng: np.random.Generator | None = None,
     restarts: int = RESTARTS,
-    solver: str = "daqp",
+    solver: str = LM,
     accept: Callable[[Array], bool] | None = None,
+    avoid: Avoidance | None = None,
+    posture: ArrayLike | None = None,
+    tool: Pose | None = None,
 ) -> IkSolution:
     """Joints of `arm` that bring its tool frame to `target` in the world's frame.
 
     Args:
         arm: "left" or "right".
-        target: where the tool frame shall be.
-        seed: (7,) joints to start from, radians; home by default. Later starts are drawn from `rng`.
-        rng: where later starts come from; a fixed seed by default.
+        target: where the tool frame shall be: between the fingertips, z along the approach, y along the closing.
+        seed: (7,) joints to start from, radians. Later starts are close to the target in the table, then random.
+        rng: where random starts come from; a fixed seed by default.
         restarts: how many starts are tried at most.
-        solver: a quadratic programming solver that qpsolvers knows ("daqp", "osqp", "proxqp", ...).
-        accept: further condition on a solution, such as freedom from collision; a solution it refuses counts as a
-            failed start.
+        solver: "lm" for Levenberg-Marquardt on Pinocchio, or a quadratic programming solver with which mink shall do it
+            ("daqp", "osqp", "proxqp", ... as far as they are installed).
+        accept: further condition on a solution; a solution it refuses counts as a failed start.
+        avoid: what the arm must keep clear of.
+        posture: (7,) joints that the redundant joint shall come as near to as it can, radians; without it, solutions
+            near `seed`, or near home, are preferred, but not sought.
+        tool: pose, in the tool frame, of another frame of the hand that shall be at the target instead; for example
+            the centre of a held box.
 
     Raises:
-        InvalidGoal: the target is not finite, or there is no such arm.
-        UnreachableTarget: no start led there; `reason` says why.
+        InvalidGoal: the target, seed or posture is not finite, the orientation is no unit quaternion, or there is no
+            such arm or solver.
+        UnreachableTarget: no start led there; `reason` says why, with the joints that would have to leave their range,
+            or the bodies that are in each other's way.
     """
-    if not (np.all(np.isfinite(target.position)) and np.all(np.isfinite(target.orientation))):
-        raise InvalidGoal(f"the target of inverse kinematics is not finite: {target}")
-    data = load_robot().arm(arm)
-    _check_distance(data, target)
-    rng = np.random.default_rng(0) if rng is None else rng
-    workspace = _workspace(arm, solver)
-    home = recipe().home[arm]
-    best: _Best | None = None
-    refused = 0
-    for attempt in range(restarts):
-        if attempt == 0:
-            start = home if seed is None else seed
-        elif attempt < 4:
-            start = home + rng.uniform(-0.8, 0.8, 7)
-        else:
-            start = rng.uniform(data.lower, data.upper)
-        joints, error, distance = workspace.descend(np.clip(start, data.lower, data.upper), target)
-        if error <= 1:
-            found = load_robot().tool_pose(arm, joints).distance(target)
-            if accept is None or accept(joints):
-                return IkSolution(frozen(joints), *found, attempts=attempt + 1)
-            refused += 1
-        elif best is None or error < best.error:
-            best = _Best(error, joints, distance)
-    raise _explain(data, target, best, refused, restarts)
+    _check_target(target)
+    robot = load_robot()
+    data, kinematics = robot.arm(arm), robot.kinematics(arm)
+    first = None if seed is None else _checked_joints(seed, "seed", data.lower, data.upper)
+    wished = None if posture is None else _checked_joints(posture, "posture", data.lower, data.upper)
+    if isinstance(restarts, bool) or not isinstance(restarts, int | np.integer) or restarts < 1:
+        raise InvalidGoal(f"inverse kinematics needs at least one start, not restarts={restarts!r}")
+    if tool is not None:
+        _check_target(tool, "the frame in the hand")
+        target = target @ tool.inverse()
+    placement = _placement(target)
+    last = placement * kinematics.tool_inverse
+    lead = _leader(arm, solver, target, last, wished)
+    preferred = first if wished is None else wished
+    preferred = recipe().home[arm] if preferred is None else preferred
+    conflicts: list[Near] = []
+    refused: list[Array] = []
+    tried = 0
+    for start in _starts(arm, placement, first, preferred, rng, restarts):
+        tried += 1
+        descent = lead(start)
+        if not descent.reached:
+            if tried == 1:
+                checked_distance(data, target)
+            continue
+        joints = descent.joints if wished is None else settle(kinematics, last, descent.joints, wished)
+        near = None if avoid is None else avoid.nearest(joints)
+        if near is None and (accept is None or accept(joints)):
+            return _solution(kinematics, joints, placement, tried)
+        refused.append(joints)
+        if near is not None:
+            conflicts.append(near)
+    if avoid is not None and conflicts:
+        for joints in _mildest(refused, conflicts):
+            descent = avoid.slide(joints, target, _SLIDING_SOLVER if solver == LM else solver)
+            if descent.reached and avoid.nearest(descent.joints) is None and (accept is None or accept(descent.joints)):
+                return _solution(kinematics, descent.joints, placement, tried)
+    if refused:
+        raise in_collision(data, target, conflicts, len(refused), tried)
+    starts = _table(arm).near(placement.translation, placement.rotation, preferred)
+    raise out_of_reach(data, kinematics, target, last, list(starts), tried)
 
 
-def track(arm: str, targets: list[Pose], start: Array, solver: str = "daqp") -> list[Array] | None:
+def reachable(arm: str, targets: Sequence[Pose], *, restarts: int = RESTARTS) -> Array:
+    """Which of many targets an arm reaches, boxes and the robot's own body aside.
+
+    Args:
+        arm: "left" or "right".
+        targets: of the tool frame, in the world's frame.
+        restarts: how many starts are tried at most for each.
+
+    Returns:
+        (n, 7) joints in radians; a row of NaN for a target that is not reached.
+
+    Raises:
+        InvalidGoal: a target is not finite, or there is no such arm.
+    """
+    robot = load_robot()
+    kinematics, home = robot.kinematics(arm), recipe().home[arm]
+    found = np.full((len(targets), 7), np.nan)
+    for row, target in enumerate(targets):
+        _check_target(target)
+        placement = _placement(target)
+        last = placement * kinematics.tool_inverse
+        for start in _starts(arm, placement, None, home, None, restarts):
+            descent = descend(kinematics, last, start)
+            if descent.reached:
+                found[row] = descent.joints
+                break
+            try:
+                checked_distance(robot.arm(arm), target)
+            except UnreachableTarget:
+                break
+    return found
+
+
+def track(arm: str, targets: Sequence[Pose], start: ArrayLike, solver: str = LM) -> list[Array] | None:
     """Joints along a line of nearby targets, each solved from the one before; None when the arm cannot follow.
 
     Args:
@@ -111,93 +175,87 @@ def track(arm: str, targets: list[Pose], start: Array, solver: str = "daqp") -> 
         start: (7,) joints near the first target, radians.
         solver: as for `solve_ik`.
     """
-    workspace = _workspace(arm, solver)
-    path, joints = [], np.asarray(start)
+    kinematics = load_robot().kinematics(arm)
+    path: list[Array] = []
+    joints = np.asarray(start, dtype=np.float64)
     for target in targets:
-        following, error, _ = workspace.descend(joints, target, steps=12)
-        if error > 1 or np.max(np.abs(following - joints)) > 0.25:
+        if solver == LM:
+            descent = descend(kinematics, _placement(target) * kinematics.tool_inverse, joints, _LINE_STEPS)
+        else:
+            descent = differential_ik(arm, solver).descend(joints, target, 12)
+        if not descent.reached or np.max(np.abs(descent.joints - joints)) > _LARGEST_JUMP:
             return None
-        path.append(following)
-        joints = following
+        joints = descent.joints
+        path.append(joints)
     return path
 
 
-class _Workspace:
-    """mink's objects for one arm, made once."""
-
-    def __init__(self, arm: Arm, solver: str) -> None:
-        self._configuration = mink.Configuration(arm.model)
-        self._task = mink.FrameTask(f"{arm.name}_tool", "site", position_cost=1.0, orientation_cost=0.3)
-        self._limits = [
-            mink.ConfigurationLimit(arm.model, gain=0.95),
-            mink.VelocityLimit(arm.model, dict.fromkeys(arm.joints, _LARGEST_STEP)),
-        ]
-        self._tasks = [self._task]
-        self._solver = solver
-
-    def descend(self, start: Array, target: Pose, steps: int = _STEPS) -> tuple[Array, float, float]:
-        """Follows the task's gradient from `start`; joints, error in units of the tolerances, distance in metres."""
-        configuration, task = self._configuration, self._task
-        configuration.update(start)
-        task.set_target(mink.SE3(np.concatenate([target.orientation, target.position])))
-        last = np.inf
-        for step in range(steps + 1):
-            residual = task.compute_error(configuration)
-            distance = float(np.linalg.norm(residual[:3]))
-            error = max(distance / POSITION_TOLERANCE, float(np.linalg.norm(residual[3:])) / ORIENTATION_TOLERANCE)
-            if error <= 0.5 or step == steps or (step % 6 == 5 and error > 0.9 * last):
-                break
-            if step % 6 == 5:
-                last = error
-            try:
-                velocity = mink.solve_ik(
-                    configuration, self._tasks, 1.0, self._solver, damping=_DAMPING, limits=self._limits
-                )
-            except mink.NoSolutionFound:
-                break
-            configuration.integrate_inplace(velocity, 1.0)
-        return configuration.q.copy(), error, distance
+@lru_cache(maxsize=2)
+def _table(arm: str) -> SeedTable:
+    robot = load_robot()
+    return SeedTable(robot.kinematics(arm), robot.arm(arm).wrist)
 
 
-@lru_cache(maxsize=8)
-def _workspace(arm: str, solver: str) -> _Workspace:
-    return _Workspace(load_robot().arm(arm), solver)
+def _starts(
+    arm: str, placement: Any, seed: Array | None, preferred: Array, rng: np.random.Generator | None, restarts: int
+) -> Iterator[Array]:
+    """The seed, then the table's configurations, then random ones."""
+    data = load_robot().arm(arm)
+    left = restarts
+    if seed is not None:
+        yield seed
+        left -= 1
+    if left > 0:
+        near = _table(arm).near(placement.translation, placement.rotation, preferred)
+        yield from near[:left]
+        left -= len(near)
+    if left > 0:
+        rng = np.random.default_rng(0) if rng is None else rng
+        for _ in range(left):
+            yield rng.uniform(data.lower, data.upper)
 
 
-def _check_distance(arm: Arm, target: Pose) -> None:
-    wrist = target.position - arm.wrist * target.rotation[:, 2]
-    distance = float(np.linalg.norm(wrist - arm.shoulder))
-    if distance > arm.reach:
-        raise UnreachableTarget(
-            f"the {arm.name} arm cannot reach {_place(target)}: too far, its wrist would be "
-            f"{distance:.3f} m from the shoulder and the arm is {arm.reach:.3f} m long",
-            "too far",
-        )
+def _leader(arm: str, solver: str, target: Pose, last: Any, posture: Array | None) -> Callable[[Array], Descent]:
+    """How a start is led to the target."""
+    if solver == LM:
+        kinematics = load_robot().kinematics(arm)
+        return lambda start: descend(kinematics, last, start)
+    differential = differential_ik(arm, solver)
+    return lambda start: differential.descend(start, target, posture=posture)
 
 
-def _explain(arm: Arm, target: Pose, best: _Best | None, refused: int, restarts: int) -> UnreachableTarget:
-    if refused or best is None:
-        return UnreachableTarget(
-            f"the {arm.name} arm reaches {_place(target)} only in configurations that are refused "
-            f"({refused} of {restarts} starts)",
-            "collision",
-        )
-    slack = np.minimum(best.joints - arm.lower, arm.upper - best.joints)
-    stuck = [name for name, room in zip(arm.joints, slack, strict=True) if room < 2e-2]
-    if stuck:
-        return UnreachableTarget(
-            f"the {arm.name} arm cannot reach {_place(target)}: {', '.join(stuck)} at the end of the range "
-            f"in the best of {restarts} starts, {1000 * best.distance:.0f} mm short",
-            "joint limit",
-            stuck,
-        )
-    return UnreachableTarget(
-        f"the {arm.name} arm cannot reach {_place(target)}: too far by {1000 * best.distance:.0f} mm in "
-        f"the best of {restarts} starts",
-        "too far",
+def _mildest(refused: list[Array], conflicts: list[Near]) -> list[Array]:
+    """Of the refused configurations, those in the mildest collisions."""
+    order = sorted(range(len(conflicts)), key=lambda index: -conflicts[index].distance)
+    return [refused[index] for index in order[:_SLIDES]] if len(refused) == len(conflicts) else []
+
+
+def _solution(kinematics: Any, joints: Array, placement: Any, tried: int) -> IkSolution:
+    left = kinematics.placement(joints).actInv(placement)
+    x, y, z = left.translation.tolist()
+    return IkSolution(
+        frozen(joints), (x * x + y * y + z * z) ** 0.5, float(np.linalg.norm(pinocchio.log3(left.rotation))), tried
     )
 
 
-def _place(target: Pose) -> str:
-    x, y, z = target.position
-    return f"({x:.3f}, {y:.3f}, {z:.3f})"
+def _placement(target: Pose) -> Any:
+    w, x, y, z = target.orientation.tolist()
+    unit = (w * w + x * x + y * y + z * z) ** -0.5
+    return pinocchio.XYZQUATToSE3(np.array([*target.position.tolist(), x * unit, y * unit, z * unit, w * unit]))
+
+
+def _check_target(target: Pose, what: str = "the target of inverse kinematics") -> None:
+    values = [*target.position.tolist(), *target.orientation.tolist()]
+    total = sum(values)
+    if len(values) != 7 or total - total != 0:  # NaN and infinity are what differ from themselves
+        raise InvalidGoal(f"{what} is not finite, or no position with a quaternion: {target}")
+    norm = sum(value * value for value in values[3:]) ** 0.5
+    if abs(norm - 1) > 1e-3:
+        raise InvalidGoal(f"the orientation of {what} has norm {norm:.6g}; a unit quaternion w, x, y, z is needed")
+
+
+def _checked_joints(values: ArrayLike, what: str, lower: Array, upper: Array) -> Array:
+    joints = np.asarray(values, dtype=np.float64)
+    if joints.shape != (7,) or not np.all(np.isfinite(joints)):
+        raise InvalidGoal(f"a {what} of inverse kinematics is seven finite joints in radians, not {joints.tolist()}")
+    return np.minimum(np.maximum(joints, lower), upper)

@@ -14,6 +14,7 @@ import pinocchio
 from motion.build import ARM_JOINTS, robot_folder
 from motion.engine import mujoco
 from motion.errors import InvalidGoal, RobotUnavailable
+from motion.kinematics import ArmKinematics
 from motion.poses import Array, Pose, frozen
 from motion.recipe import JointLimits, recipe
 
@@ -62,11 +63,11 @@ class Robot:
         self._data = self.pinocchio.createData()
         self._neutral = pinocchio.neutral(self.pinocchio)
         self._frames = {arm: self.pinocchio.getFrameId(f"{arm}_gripper") for arm in ("left", "right")}
-        self._indices = {
-            arm: np.array([self.pinocchio.idx_qs[self.pinocchio.getJointId(f"{arm}_{j}")] for j in ARM_JOINTS])
-            for arm in ("left", "right")
-        }
         self.arms = {arm: self._arm(arm) for arm in ("left", "right")}
+        self._kinematics = {
+            name: ArmKinematics(self.pinocchio, name, arm.joints, arm.lower, arm.upper)
+            for name, arm in self.arms.items()
+        }
 
     def arm(self, name: str) -> Arm:
         """The arm of that name.
@@ -79,6 +80,14 @@ class Robot:
         except (KeyError, TypeError):
             raise InvalidGoal(f"there is no arm {name!r}; there are 'left' and 'right'") from None
 
+    def kinematics(self, arm: str) -> ArmKinematics:
+        """Kinematics of the arm of that name.
+
+        Raises:
+            InvalidGoal: it is neither "left" nor "right".
+        """
+        return self._kinematics[self.arm(arm).name]
+
     def tool_pose(self, arm: str, joints: Array) -> Pose:
         """Pose of an arm's tool frame (between the fingertips, z along the approach, y along the closing).
 
@@ -86,11 +95,7 @@ class Robot:
             arm: "left" or "right".
             joints: (7,) radians.
         """
-        q = self._neutral.copy()
-        q[self._indices[arm]] = joints
-        pinocchio.forwardKinematics(self.pinocchio, self._data, q)
-        placement = pinocchio.updateFramePlacement(self.pinocchio, self._data, self._frames[arm])
-        return Pose.of(placement.rotation, placement.translation)
+        return self.kinematics(arm).pose(joints)
 
     def _arm(self, name: str) -> Arm:
         path = self.folder / f"arm_{name}.mjb"

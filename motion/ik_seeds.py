@@ -1,0 +1,112 @@
+"""Starts for inverse kinematics from a table: configurations whose tool is already close to the target.
+
+The first joint turns the whole arm about a vertical axis and the last one the hand about its own. Both can be read off
+the target, so the table need only cover the five joints between: where the wrist is (distance from the vertical axis
+and height) and where the hand points, seen from the wrist's own azimuth, are four numbers. A k-d tree over twelve
+thousand samples thus has starts within a few centimetres and degrees of any target, in many postures of the elbow.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+from scipy.spatial import cKDTree
+
+from motion.kinematics import ArmKinematics
+from motion.poses import Array
+
+SAMPLES = 12_000
+NEIGHBOURS = 24
+_TURN = 2 * math.pi
+_ONES = np.ones(7)
+_POINTING = 0.35
+"""Metres that a radian of the hand's direction counts for when starts are looked up."""
+_OUT_OF_RANGE = 0.3
+"""Metres that a radian beyond a joint's range counts for when starts are ranked."""
+_POSTURE = 0.02
+"""Metres that a radian away from the wished posture counts for."""
+
+
+class SeedTable:
+    """The table of one arm.
+
+    Args:
+        kinematics: the arm.
+        wrist: distance from the wrist's centre to the tool frame along the tool's z axis, metres.
+        count: size of the table.
+    """
+
+    def __init__(self, kinematics: ArmKinematics, wrist: float, count: int = SAMPLES) -> None:
+        samples = sampled(kinematics, wrist, count)
+        base = kinematics.model.jointPlacements[1]
+        self._turn, self._origin = np.array(base.rotation).T, np.array(base.translation)
+        self._lower, self._upper = kinematics.lower, kinematics.upper
+        self._wrist = wrist
+        self._joints, self._azimuth = samples["joints"], samples["azimuth"]
+        self._x, self._y = samples["x"], samples["y"]
+        self._tree = cKDTree(samples["features"], balanced_tree=False, compact_nodes=False)
+
+    def near(self, position: Array, rotation: Array, posture: Array, count: int = NEIGHBOURS) -> Array:
+        """(count, 7) joints within their ranges, the most promising first.
+
+        Args:
+            position: (3,) of the tool frame in the world's frame, metres.
+            rotation: (3, 3) of the tool frame.
+            posture: (7,) joints that are preferred where it makes no difference, radians.
+            count: how many starts are wanted.
+        """
+        turned = self._turn @ rotation
+        x, y, z = (self._turn @ (position - self._origin) - self._wrist * turned[:, 2]).tolist()
+        azimuth = math.atan2(y, x)
+        cosine, sine = math.cos(azimuth), math.sin(azimuth)
+        (ax, _, dx), (ay, _, dy), (az, _, dz) = turned.tolist()
+        features = (
+            math.hypot(x, y), z,
+            _POINTING * (cosine * dx + sine * dy), _POINTING * (cosine * dy - sine * dx), _POINTING * dz,
+        )  # fmt: skip
+        side = np.array((cosine * ax + sine * ay, cosine * ay - sine * ax, az))
+        distances, found = self._tree.query(features, count)
+        joints = self._joints.take(found, axis=0)
+        turn = azimuth - self._azimuth.take(found)
+        joints[:, 0] = turn - _TURN * np.rint(turn / _TURN)
+        joints[:, 6] = np.arctan2(self._y.take(found, axis=0).dot(side), self._x.take(found, axis=0).dot(side))
+        clipped = np.minimum(np.maximum(joints, self._lower), self._upper)
+        joints -= clipped
+        cost = _OUT_OF_RANGE * np.abs(joints).dot(_ONES) + distances
+        cost += _POSTURE * np.abs(clipped - posture).dot(_ONES)
+        return np.asarray(clipped.take(cost.argsort(), axis=0))
+
+
+def sampled(kinematics: ArmKinematics, wrist: float, count: int) -> dict[str, Any]:
+    """Evenly spread configurations with the first and last joint at 0, and where they bring wrist and hand.
+
+    Returns:
+        `joints` (n, 7), `azimuth` (n,) of the wrist about the first joint's axis, and seen from that azimuth: `x` and
+        `y` (n, 3), the hand's axes, and `features` (n, 5), by which starts are looked up.
+    """
+    # An additive recurrence with powers of the generalised golden ratio (Roberts, 2018) covers five joints evenly.
+    ratio = _golden(5)
+    spread = (0.5 + np.arange(1, count + 1)[:, None] * ratio ** -np.arange(1.0, 6.0)) % 1.0
+    joints = np.zeros((count, 7))
+    joints[:, 1:6] = kinematics.lower[1:6] + spread * (kinematics.upper - kinematics.lower)[1:6]
+    base = kinematics.model.jointPlacements[1]
+    position, rotation = kinematics.poses(joints)
+    rotation = np.array(base.rotation).T @ rotation
+    centre = (position - base.translation) @ base.rotation - wrist * rotation[:, :, 2]
+    azimuth = np.arctan2(centre[:, 1], centre[:, 0])
+    cosine, sine = np.cos(azimuth)[:, None], np.sin(azimuth)[:, None]
+    x, y, z = rotation[:, 0], rotation[:, 1], rotation[:, 2]
+    seen = np.stack([cosine * x + sine * y, cosine * y - sine * x, z], axis=1)
+    features = np.column_stack([np.hypot(centre[:, 0], centre[:, 1]), centre[:, 2], _POINTING * seen[:, :, 2]])
+    x, y = np.ascontiguousarray(seen[:, :, 0]), np.ascontiguousarray(seen[:, :, 1])
+    return {"joints": joints, "azimuth": azimuth, "x": x, "y": y, "features": features}
+
+
+def _golden(dimensions: int) -> float:
+    """The root above 1 of x^(d + 1) = x + 1."""
+    root = 1.0
+    for _ in range(64):
+        root = (1.0 + root) ** (1.0 / (dimensions + 1))
+    return root
