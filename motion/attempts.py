@@ -7,7 +7,7 @@ from collections import Counter
 
 import numpy as np
 
-from motion.collisions import CLEARANCE, GRID, CollisionChecker, Near, Rules
+from motion.collisions import CLEARANCE, CLOSE, SEARCH_GRID, CollisionChecker, Near, Rules
 from motion.errors import MotionError, PlanInCollision, UnreachableTarget
 from motion.grasps import Grasp
 from motion.ik import solve_ik
@@ -23,7 +23,6 @@ from motion.timing import KNOT_SPACINGS, LINE_SPACING, Trajectory, check_limits,
 APPROACH = 0.08
 BRIEF, THOROUGH = 40, 400
 """Expansions of a search for a path: at first, to see whether another grasp does better, and at last."""
-NEAR_CLEARANCE = 0.0015
 _RESTING = 0.003
 _RELEASE_HEIGHT = 0.001
 _RELEASE_ROOM = 0.007
@@ -46,6 +45,7 @@ class Attempt:
         target: the box it is about, or None.
         rng: source of all chance.
         expansions: bound of each search for a path whose straight line is not free.
+        tight: whether near its grasp the hand may come closer to the box's neighbours than everywhere else.
     """
 
     def __init__(
@@ -56,9 +56,11 @@ class Attempt:
         target: str | None,
         rng: np.random.Generator,
         expansions: int = THOROUGH,
+        tight: bool = False,
     ) -> None:
         self.scene, self.state, self.arm, self.target, self.rng = scene, state, arm, target, rng
         self.expansions = expansions
+        self.clearance = CLOSE if tight else CLEARANCE
         self.joints: Array = state.joints(arm)
         self.width = state.widths[arm]
         self.grasp: Grasp | None = None
@@ -79,22 +81,23 @@ class Attempt:
         """Adds the phases from where the robot is to the box lifted."""
         self.grasp = grasp
         empty = self._checker(width=grasp.opening)
-        near = Rules(hand_clearance=NEAR_CLEARANCE, touching=frozenset({grasp.box}))
+        below = self.scene.below(grasp.box)
+        near = Rules(hand_clearance=self.clearance, touching=frozenset({grasp.box}), close=below)
         at_grasp = self._reach(grasp.tool, empty, near)
         back = self._line(grasp.tool, grasp.backed(APPROACH), at_grasp, empty, near, "approach")
         box = self.scene.box(grasp.box)
         grip = grasp.tool.inverse() @ box.pose
         full = self._checker(width=grasp.width, held=grasp.box, grip=grip)
-        rising = Rules(hand_clearance=NEAR_CLEARANCE, resting=self._touched(full, at_grasp))
+        beside = full.around_held(at_grasp, CLEARANCE)
+        rising = Rules(hand_clearance=self.clearance, resting=self._touched(full, at_grasp), close=below | beside)
         top = Pose(grasp.tool.position + np.array([0, 0, lift]), grasp.tool.orientation)
         up = self._line(grasp.tool, top, at_grasp, full, rising, "lift")
         self._home_first()
-        there = self._connect(empty, self.joints, back[-1], Rules(), "pregrasp")
-        self._add("pregrasp", there, empty, Rules(), grasp.opening)
-        self._add("approach", back[::-1], empty, near, grasp.opening)
+        self._add("pregrasp", self._travel("pregrasp", self.joints, back[-1], empty, Rules()), grasp.opening)
+        self._add("approach", self._verified("approach", back[::-1], empty, near), grasp.opening)
         self._pause("close", _CLOSING_TIME, grasp.width - recipe().gripper.squeeze)
         self.grip, self.taken = grip, True
-        self._add("lift", up, full, rising, self.width)
+        self._add("lift", self._verified("lift", up, full, rising), self.width)
 
     def already_holding(self) -> None:
         """The box is in the hand from the start."""
@@ -132,24 +135,24 @@ class Attempt:
         release = Pose(tool.position + np.array([0, 0, _RELEASE_HEIGHT]), tool.orientation)
         above = Pose(release.position + np.array([0, 0, APPROACH]), tool.orientation)
         full = self._checker(width=held_width, held=self.target, grip=self.grip)
-        lowering = Rules(hand_clearance=NEAR_CLEARANCE, resting=frozenset({support}))
+        below = frozenset({support})
+        lowering = Rules(hand_clearance=self.clearance, resting=below, close=below)
         at_release = self._reach(release, full, lowering)
         down = self._line(release, above, at_release, full, lowering, "lower")[::-1]
         placed = self.scene.moved({self.target: goal.pose})
         opening = min(recipe().gripper.opened, held_width + 2 * _RELEASE_ROOM)
         empty = self._checker(width=opening, scene=placed)
-        leaving = Rules(hand_clearance=NEAR_CLEARANCE, touching=frozenset({self.target}))
+        leaving = Rules(hand_clearance=self.clearance, touching=frozenset({self.target}), close=below)
         back = Pose(release.position - APPROACH * release.rotation[:, 2], release.orientation)
         away = self._line(release, back, at_release, empty, leaving, "retreat")
         rising = Rules(resting=self._touched(full, self.joints))
-        across = self._connect(full, self.joints, down[0], rising, "transfer")
-        home = self._connect(empty, away[-1], recipe().home[self.arm], Rules(), "home")
-        self._add("transfer", across, full, rising, self.width)
-        self._add("lower", down, full, lowering, self.width)
+        across = self._travel("transfer", self.joints, down[0], full, rising)
+        self._add("transfer", across, self.width)
+        self._add("lower", self._verified("lower", down, full, lowering), self.width)
         self._pause("open", _OPENING_TIME, opening)
         self.scene, self.grip, self.taken = placed, None, False
-        self._add("retreat", away, empty, leaving, opening)
-        self._add("home", home, empty, Rules(), opening)
+        self._add("retreat", self._verified("retreat", away, empty, leaving), opening)
+        self._add("home", self._travel("home", self.joints, recipe().home[self.arm], empty, Rules()), opening)
 
     def go_home(self) -> None:
         """Adds the phases that bring the arm home from wherever it is."""
@@ -159,8 +162,7 @@ class Attempt:
             self.already_holding()
         checker = self._checker(width=self.state.widths[self.arm], held=held, grip=self.grip)
         self._back_out(checker)
-        path = self._connect(checker, self.joints, home, Rules(), "home")
-        self._add("home", path, checker, Rules(), self.width)
+        self._add("home", self._travel("home", self.joints, home, checker, Rules()), self.width)
 
     # The whole.
 
@@ -182,7 +184,7 @@ class Attempt:
             goal=goal,
             start=self.state,
             end=RobotState(ends["left"], ends["right"], widths, held),
-            clearance=CLEARANCE,
+            clearance=self.clearance,
         )
 
     # Helpers.
@@ -221,13 +223,19 @@ class Attempt:
         path = straight(self.arm, first, last, joints)
         if path is None:
             raise UnreachableTarget(f"the {self.arm} arm cannot follow the straight line of {phase}", "joint limit")
-        near = checker.first_conflict(path, rules)
+        near = checker.first_conflict(path, rules, SEARCH_GRID)
         if near is not None:
             raise _in_collision(phase, near, rules)
         return path
 
-    def _connect(self, checker: CollisionChecker, first: Array, last: Array, rules: Rules, phase: str) -> list[Array]:
-        return connect(checker, self.arm, first, last, rules, self.rng, phase, self.expansions)
+    def _travel(self, phase: str, first: Array, last: Array, checker: CollisionChecker, rules: Rules) -> Trajectory:
+        """A verified trajectory from `first` to `last`, searched for on the coarse grid first, then on the fine."""
+        path = connect(checker, self.arm, first, last, rules, self.rng, phase, self.expansions, SEARCH_GRID)
+        try:
+            return self._verified(phase, path, checker, rules)
+        except PlanInCollision:
+            path = connect(checker, self.arm, first, last, rules, self.rng, phase, self.expansions)
+            return self._verified(phase, path, checker, rules)
 
     def _touched(self, checker: CollisionChecker, joints: Array) -> frozenset[str]:
         """Names of what the held box touches at `joints`."""
@@ -241,8 +249,7 @@ class Attempt:
             return
         checker = self._checker(width=self.width)
         self._back_out(checker)
-        path = self._connect(checker, self.joints, home, Rules(), "home")
-        self._add("home", path, checker, Rules(), self.width)
+        self._add("home", self._travel("home", self.joints, home, checker, Rules()), self.width)
 
     def _back_out(self, checker: CollisionChecker) -> None:
         """Adds a straight retreat along the approach if the hand is too near to something to move freely."""
@@ -255,10 +262,10 @@ class Attempt:
             hand_clearance=-0.002,
         )
         back = Pose(tool.position - APPROACH * tool.rotation[:, 2], tool.orientation)
-        self._add("retreat", self._line(tool, back, self.joints, checker, rules, "retreat"), checker, rules, self.width)
+        line = self._line(tool, back, self.joints, checker, rules, "retreat")
+        self._add("retreat", self._verified("retreat", line, checker, rules), self.width)
 
-    def _add(self, name: str, path: list[Array], checker: CollisionChecker, rules: Rules, width: float) -> None:
-        trajectory = self._verified(name, path, checker, rules)
+    def _add(self, name: str, trajectory: Trajectory, width: float) -> None:
         self._phases.append(Phase(name, trajectory, width, self.target if self.taken else None))
         self.joints, self.width = trajectory.positions[-1], width
 
@@ -270,7 +277,7 @@ class Attempt:
         for spacing in (LINE_SPACING,) if name in _LINES else KNOT_SPACINGS:
             trajectory = timed(path, arm.limits, speed, spacing)
             check_limits(trajectory, arm.joints, arm.lower, arm.upper, arm.limits)
-            near = checker.first_conflict(_thinned(trajectory.positions), rules)
+            near = checker.first_conflict(trajectory.positions, rules)
             if near is None:
                 return trajectory
         assert near is not None
@@ -296,13 +303,5 @@ def _in_collision(phase: str, near: Near, rules: Rules) -> PlanInCollision:
         phase,
         near.bodies,
         near.distance,
+        near.place,
     )
-
-
-def _thinned(positions: Array) -> list[Array]:
-    """Samples of a trajectory, as few as the grid of the collision checks allows."""
-    along = np.concatenate([[0.0], np.cumsum(np.max(np.abs(np.diff(positions, axis=0)), axis=1))])
-    # A sample's own step is smaller than 0.008 rad (4 rad/s over 2 ms), hence the margin.
-    places = np.arange(0.0, along[-1], GRID - 0.002)
-    kept = np.unique(np.append(np.searchsorted(along, places, side="right") - 1, len(positions) - 1))
-    return [positions[k] for k in kept]

@@ -8,8 +8,7 @@ checked against one another, unless one of them is held.
 from __future__ import annotations
 
 import copy
-import itertools
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
@@ -22,10 +21,14 @@ from motion.poses import Array, Pose
 from motion.scene import Scene
 from motion.state import RobotState
 
-GRID = 0.01
-"""Longest step of any joint between two configurations that are checked, radians."""
+GRID = 0.005
+"""Longest step of any joint between two configurations of a trajectory that is verified, radians."""
+SEARCH_GRID = 0.02
+"""The same while a path is searched for: what is found is verified on the finer grid."""
 CLEARANCE = 0.005
 """Distance kept from everything where no contact is meant, metres."""
+CLOSE = 0.0015
+"""Distance that the hand keeps from what it must come close to: what its box stands on, or stands next to; metres."""
 
 _RESTING_OVERLAP = 0.003
 _ROBOT, _THINGS = 1, 2
@@ -40,10 +43,12 @@ class Near(NamedTuple):
     Attributes:
         bodies: their names.
         distance: metres; negative is penetration.
+        place: where, x, y, z in metres.
     """
 
     bodies: tuple[str, str]
     distance: float
+    place: tuple[float, float, float] = (np.nan, np.nan, np.nan)
 
 
 @dataclass(frozen=True)
@@ -55,12 +60,14 @@ class Rules:
         hand_clearance: distance that the moving hand and what it holds keep from boxes, metres.
         touching: names of boxes that the hand may touch.
         resting: names of bodies that the held box may touch.
+        close: names of boxes to which the hand, and what it holds, may come as near as `CLOSE`.
     """
 
     clearance: float = CLEARANCE
     hand_clearance: float = CLEARANCE
     touching: frozenset[str] = field(default_factory=frozenset)
     resting: frozenset[str] = field(default_factory=frozenset)
+    close: frozenset[str] = field(default_factory=frozenset)
 
 
 class CollisionChecker:
@@ -137,7 +144,8 @@ class CollisionChecker:
         if excess[worst] <= 0:
             return None
         first, second = geoms[worst]
-        return Near((self._indices.bodies[first], self._indices.bodies[second]), float(distances[worst]))
+        x, y, z = self._data.contact.pos[worst].tolist()
+        return Near((self._indices.bodies[first], self._indices.bodies[second]), float(distances[worst]), (x, y, z))
 
     def around_held(self, joints: Array, distance: float) -> frozenset[str]:
         """Names of the bodies other than the robot that are within `distance` of the held box at `joints` (7,)."""
@@ -153,17 +161,17 @@ class CollisionChecker:
                     found.add(self._indices.bodies[other])
         return frozenset(found)
 
-    def first_conflict(self, path: Sequence[Array], rules: Rules) -> Near | None:
+    def first_conflict(self, path: Sequence[Array] | Array, rules: Rules, grid: float = GRID) -> Near | None:
         """The first conflict along straight lines in joint space through `path`, on the grid, or None."""
-        for joints in dense(path):
+        for joints in dense(path, grid):
             near = self.nearest(joints, rules)
             if near is not None:
                 return near
         return None
 
-    def free(self, first: Array, second: Array, rules: Rules) -> bool:
+    def free(self, first: Array, second: Array, rules: Rules, grid: float = GRID) -> bool:
         """Whether the line between two configurations is free; checked in halves, so that conflicts show early."""
-        steps = max(1, int(np.ceil(np.max(np.abs(second - first)) / GRID)))
+        steps = max(1, int(np.ceil(np.max(np.abs(second - first)) / grid)))
         return all(self.nearest(first + (second - first) * k / steps, rules) is None for k in _bisected(steps))
 
     def _place(self, joints: Array) -> None:
@@ -195,6 +203,7 @@ class CollisionChecker:
         table = np.full((len(mine), len(mine)), -np.inf)
         table[mine, :] = table[:, mine] = rules.clearance
         _both(table, hand, boxes & ~held, rules.hand_clearance)
+        _both(table, hand, boxes & ~held & np.isin(names, list(rules.close)), min(CLOSE, rules.hand_clearance))
         _both(table, hand, hand, 0.0)
         _both(table, hand, held, -np.inf)
         _both(table, hand, touching, -np.inf)
@@ -210,14 +219,14 @@ def _both(table: Array, first: Flags, second: Flags, value: float) -> None:
     table[np.ix_(second, first)] = value
 
 
-def dense(path: Sequence[Array], grid: float = GRID) -> Iterable[Array]:
-    """Configurations along straight lines through `path`, no joint moving by more than `grid` between two."""
-    if len(path):
-        yield path[0]
-    for first, second in itertools.pairwise(path):
-        steps = max(1, int(np.ceil(np.max(np.abs(second - first)) / grid)))
-        for k in range(1, steps + 1):
-            yield first + (second - first) * (k / steps)
+def dense(path: Sequence[Array] | Array, grid: float = GRID) -> Array:
+    """(n, 7) configurations along straight lines through `path`, no joint moving by more than `grid` between two."""
+    points = np.asarray(path, dtype=np.float64)
+    if len(points) < 2:
+        return points
+    along = np.concatenate([[0.0], np.cumsum(np.max(np.abs(np.diff(points, axis=0)), axis=1))])
+    places = np.linspace(0.0, along[-1], int(np.ceil(along[-1] / grid - 1e-9)) + 1)
+    return np.column_stack([np.interp(places, along, column) for column in points.T])
 
 
 def _bisected(steps: int) -> list[int]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 
 
@@ -82,12 +83,21 @@ class PlanInCollision(MotionError):
         phase: the phase of the plan.
         bodies: the two bodies.
         clearance: signed distance between them in metres; negative is penetration.
+        place: where, x, y, z in metres.
     """
 
-    def __init__(self, message: str, phase: str, bodies: tuple[str, str], clearance: float) -> None:
+    def __init__(
+        self,
+        message: str,
+        phase: str,
+        bodies: tuple[str, str],
+        clearance: float,
+        place: tuple[float, float, float] = (math.nan, math.nan, math.nan),
+    ) -> None:
         self.phase = phase
         self.bodies = bodies
         self.clearance = clearance
+        self.place = place
         super().__init__(message)
 
 

@@ -49,6 +49,7 @@ class Failures:
                     example.phase,
                     example.bodies,
                     example.clearance,
+                    example.place,
                 )
             example.add_note(f"this is the most frequent of {count} failed grasps of {self._target!r}")
             return example

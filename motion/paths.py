@@ -5,9 +5,12 @@ The sampling planner is RRT-Connect (Kuffner and LaValle, 2000) with shortcuts a
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from functools import partial
+
 import numpy as np
 
-from motion.collisions import CollisionChecker, Near, Rules
+from motion.collisions import GRID, CollisionChecker, Near, Rules
 from motion.errors import PathNotFound, PlanInCollision
 from motion.ik import track
 from motion.poses import Array, Pose
@@ -17,6 +20,9 @@ from motion.robot import load_robot
 _STEP = 0.35
 _SHORTCUTS = 40
 _LINE_STEP = 0.005
+
+Free = Callable[[Array, Array], bool]
+"""Whether the straight line between two configurations is free."""
 
 
 def connect(
@@ -28,6 +34,7 @@ def connect(
     rng: np.random.Generator,
     phase: str,
     expansions: int,
+    grid: float = GRID,
 ) -> list[Array]:
     """Waypoints from `start` to `goal`, the straight lines between them free by `rules` on the grid.
 
@@ -40,6 +47,7 @@ def connect(
         rng: where samples come from.
         phase: the phase's name, for errors.
         expansions: how often the sampling planner may grow its trees.
+        grid: longest step of any joint between two configurations that are checked, radians.
 
     Raises:
         PlanInCollision: the start or the goal itself is in conflict.
@@ -53,19 +61,21 @@ def connect(
                 phase,
                 near.bodies,
                 near.distance,
+                near.place,
             )
-    if checker.free(start, goal, rules):
+    free = partial(checker.free, rules=rules, grid=grid)
+    if free(start, goal):
         return [start, goal]
     home = recipe().home[arm]
-    if checker.free(start, home, rules) and checker.free(home, goal, rules):
-        return _shortened(checker, [start, home, goal], rules, rng)
-    path = _rrt_connect(checker, arm, start, goal, rules, rng, expansions)
+    if free(start, home) and free(home, goal):
+        return _shortened(free, [start, home, goal], rng)
+    path = _rrt_connect(free, arm, start, goal, rng, expansions)
     if path is None:
         raise PathNotFound(
             f"no way was found for {phase} of the {arm} arm in {expansions} expansions, "
             "although its start and goal are free"
         )
-    return _shortened(checker, path, rules, rng)
+    return _shortened(free, path, rng)
 
 
 def straight(arm: str, first: Pose, last: Pose, joints: Array) -> list[Array] | None:
@@ -118,13 +128,7 @@ class _Tree:
 
 
 def _rrt_connect(
-    checker: CollisionChecker,
-    arm: str,
-    start: Array,
-    goal: Array,
-    rules: Rules,
-    rng: np.random.Generator,
-    expansions: int,
+    free: Free, arm: str, start: Array, goal: Array, rng: np.random.Generator, expansions: int
 ) -> list[Array] | None:
     data = load_robot().arm(arm)
     trees = [_Tree(start), _Tree(goal)]
@@ -134,13 +138,13 @@ def _rrt_connect(
         reach = spread * (1 + count / 40)
         sample = np.clip(middle + rng.uniform(-reach, reach), data.lower, data.upper)
         growing, other = trees[count % 2], trees[1 - count % 2]
-        node = _extend(checker, growing, sample, rules)
+        node = _extend(free, growing, sample)
         if node is None:
             continue
         target = growing.nodes[node]
         meeting: int | None = None
         while True:
-            following = _extend(checker, other, target, rules, meeting)
+            following = _extend(free, other, target, meeting)
             if following is None:
                 break
             meeting = following
@@ -151,9 +155,7 @@ def _rrt_connect(
     return None
 
 
-def _extend(
-    checker: CollisionChecker, tree: _Tree, target: Array, rules: Rules, source: int | None = None
-) -> int | None:
+def _extend(free: Free, tree: _Tree, target: Array, source: int | None = None) -> int | None:
     """Grows the tree one step towards `target`; the new node, or None when that step is not free."""
     near = tree.nearest(target) if source is None else source
     origin = tree.nodes[near]
@@ -161,10 +163,10 @@ def _extend(
     if gap < 1e-9:
         return near
     point = target if gap <= _STEP else origin + (target - origin) * (_STEP / gap)
-    return tree.add(point, near) if checker.free(origin, point, rules) else None
+    return tree.add(point, near) if free(origin, point) else None
 
 
-def _shortened(checker: CollisionChecker, path: list[Array], rules: Rules, rng: np.random.Generator) -> list[Array]:
+def _shortened(free: Free, path: list[Array], rng: np.random.Generator) -> list[Array]:
     """Replaces detours by straight lines where those are free."""
     for _ in range(_SHORTCUTS):
         if len(path) < 3:
@@ -172,7 +174,7 @@ def _shortened(checker: CollisionChecker, path: list[Array], rules: Rules, rng: 
         i, j = sorted(rng.integers(0, len(path) - 1, 2))
         a = path[i] + (path[i + 1] - path[i]) * rng.uniform()
         b = path[j] + (path[j + 1] - path[j]) * rng.uniform()
-        if i == j or not checker.free(a, b, rules):
+        if i == j or not free(a, b):
             continue
         path = [*path[: i + 1], a, b, *path[j + 1 :]]
     return path

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Iterator
 
 import numpy as np
@@ -54,9 +55,9 @@ def plan_pick(
     checked_target(scene, target, start)
     arms = checked_arms(arm, start, target)
     failures = Failures(target)
-    for expansions, grasps in _rounds(scene, target, arms, failures):
+    for expansions, tight, grasps in _rounds(scene, target, arms, failures):
         for grasp in grasps:
-            attempt = Attempt(scene, start, grasp.arm, target, rng, expansions)
+            attempt = Attempt(scene, start, grasp.arm, target, rng, expansions, tight)
             try:
                 attempt.take(grasp, lift)
                 return attempt.finished("pick", _raised(scene.box(target), lift))
@@ -98,8 +99,8 @@ def plan_place(
     goals = _goals(scene, box, position, yaw)
     failures = Failures(target)
     if target in start.held.values():
-        for goal, support in goals:
-            attempt = Attempt(scene, start, arms[0], target, rng)
+        for tight, (goal, support) in itertools.product((False, True), goals):
+            attempt = Attempt(scene, start, arms[0], target, rng, THOROUGH, tight)
             try:
                 attempt.already_holding()
                 attempt.put(goal, support)
@@ -107,9 +108,10 @@ def plan_place(
             except MotionError as error:
                 failures.note(None, error)
         raise failures.summary()
-    for expansions, grasps in _rounds(scene, target, arms, failures):
+    for expansions, tight, grasps in _rounds(scene, target, arms, failures):
         for grasp in grasps:
-            plan = _taken_and_put(Attempt(scene, start, grasp.arm, target, rng, expansions), grasp, goals, failures)
+            attempt = Attempt(scene, start, grasp.arm, target, rng, expansions, tight)
+            plan = _taken_and_put(attempt, grasp, goals, failures)
             if plan is not None:
                 return plan
     raise failures.summary()
@@ -139,14 +141,16 @@ def plan_home(
     return attempt.finished("home", None)
 
 
-def _rounds(scene: Scene, target: str, arms: tuple[str, ...], failures: Failures) -> Iterator[tuple[int, list[Grasp]]]:
-    """Grasps to try, with the bound of each search for a path.
+def _rounds(
+    scene: Scene, target: str, arms: tuple[str, ...], failures: Failures
+) -> Iterator[tuple[int, bool, list[Grasp]]]:
+    """Grasps to try, with the bound of each search for a path and whether it may be tight near the grasp.
 
     First all of them, then the obstructed ones with the fingers opened less, at last those that only lacked a path.
     """
-    yield BRIEF, grasp_candidates(scene, target, arms)
-    yield BRIEF, [grasp.narrowed() for grasp in failures.obstructed()]
-    yield THOROUGH, failures.without_path()
+    yield BRIEF, False, grasp_candidates(scene, target, arms)
+    yield BRIEF, True, [grasp.narrowed() for grasp in failures.obstructed()]
+    yield THOROUGH, True, failures.without_path()
 
 
 def _taken_and_put(attempt: Attempt, grasp: Grasp, goals: list[tuple[Box, str]], failures: Failures) -> Plan | None:

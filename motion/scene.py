@@ -158,6 +158,20 @@ class Scene:
             and overlap(box.footprint, below.footprint) > 1e-3
         )
 
+    def below(self, name: str) -> frozenset[str]:
+        """Names of the boxes, fixed ones too, that the box of that name rests on, directly."""
+        from motion.outlines import overlap
+
+        box = self.box(name)
+        return frozenset(
+            other.name
+            for other in self.boxes
+            if other.name != name
+            and abs(box.bottom - other.top) <= 2 * RESTING_GAP
+            and np.all(np.abs(box.position - other.position)[:2] <= (box.half_extents + other.half_extents)[:2])
+            and overlap(box.footprint, other.footprint) > 1e-3
+        )
+
     def resting_position(self, name: str, xy: ArrayLike, ignore: Sequence[str] = ()) -> Array:
         """Where the centre of a box is when it rests, turned as it is, on whatever is highest below (x, y).
 
