@@ -1,6 +1,12 @@
 """The exceptions of this package. Every message names what was wrong, where, and what would be right."""
 
+from __future__ import annotations
+
 from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from grounding.corpus.format import Corpus
 
 
 class GroundingError(Exception):
@@ -36,8 +42,14 @@ class CorpusErrors(CorpusError):
 
     Attributes:
         problems: one error each, in the order of the files and lines.
+        rest: the corpus of the examples that were not refused; None where there is none, or what was read is none.
     """
 
-    def __init__(self, problems: Sequence[CorpusError]) -> None:
+    def __init__(self, problems: Sequence[CorpusError], rest: Corpus | None = None) -> None:
         self.problems = tuple(problems)
+        self.rest = rest
         super().__init__("\n".join(str(problem) for problem in self.problems))
+
+
+class SearchError(GroundingError):
+    """A space of symbols or of assignments that is too large to be searched exhaustively; says how large it would be."""

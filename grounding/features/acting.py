@@ -98,8 +98,8 @@ def actions(scope: Scope) -> Proposals:
     found: dict[Action, list[str]] = {}
     kinds = [action.kind for action in scope.own.actions if not action.objects]
     target = scope.source("object")
-    destinations = _destinations(scope)
-    for names, how in _targets(scope, target):
+    destinations = action_destinations(scope)
+    for names, how in action_targets(scope, target):
         for kind in kinds:
             for region, whence in destinations:
                 if (kind == "place") == (whence.startswith("nowhere")):
@@ -123,7 +123,8 @@ def actions(scope: Scope) -> Proposals:
     return list(found.items())
 
 
-def _targets(scope: Scope, target: Source) -> list[tuple[tuple[str, ...], str]]:
+def action_targets(scope: Scope, target: Source) -> list[tuple[tuple[str, ...], str]]:
+    """What actions can be on: (ids, how it came about)."""
     layout = scope.layout
     if target.objects:
         names = layout.names(target.objects)
@@ -141,7 +142,7 @@ def _targets(scope: Scope, target: Source) -> list[tuple[tuple[str, ...], str]]:
     return [(layout.names(pool), f"all that match{counted}")]
 
 
-def _destinations(scope: Scope) -> list[tuple[Region | None, str]]:
+def action_destinations(scope: Scope) -> list[tuple[Region | None, str]]:
     """Where to: (region, how it came about); a lone direction is beside the object itself."""
     destination = scope.source("dest")
     found: list[tuple[Region | None, str]] = []

@@ -34,7 +34,8 @@ _COLORS = tuple(ObjectColor(name) for name in known_colors())
 _IDENTIFIED = (SpatialReference, Container, Action, ObjectType)  # kinds whose members are worth weights of their own
 
 
-def _judge(scope: Scope, symbols: Iterable[Symbol]) -> Proposals:
+def judged(scope: Scope, symbols: Iterable[Symbol]) -> Proposals:
+    """Concrete symbols with their roles: how words name them, what the children say of them."""
     proposals: Proposals = []
     for symbol in symbols:
         roles = named_how(scope, symbol)
@@ -59,7 +60,7 @@ def types(scope: Scope) -> Proposals:
     """Types of the world, and those that words name. A word that is a type's own name names it."""
     symbols = dict.fromkeys(_spoken(scope, ObjectType))
     symbols.update(dict.fromkeys(ObjectType(name) for name in sorted(scope.layout.types)))
-    proposals = _judge(scope, symbols)
+    proposals = judged(scope, symbols)
     words = {word.text for word in scope.phrase.words}
     for symbol, roles in proposals:
         if isinstance(symbol, ObjectType) and roles[0] == "not named" and symbol.name in words:
@@ -70,29 +71,29 @@ def types(scope: Scope) -> Proposals:
 
 def colors(scope: Scope) -> Proposals:
     """All known colours."""
-    return _judge(scope, _COLORS)
+    return judged(scope, _COLORS)
 
 
 def spatial_references(scope: Scope) -> Proposals:
     """All spatial references."""
-    return _judge(scope, _SPATIAL)
+    return judged(scope, _SPATIAL)
 
 
 def cardinals(scope: Scope) -> Proposals:
     """The numbers that are spoken of."""
-    return _judge(scope, _spoken(scope, Cardinal))
+    return judged(scope, _spoken(scope, Cardinal))
 
 
 def ordinals(scope: Scope) -> Proposals:
     """The ranks that are spoken of."""
-    return _judge(scope, _spoken(scope, Ordinal))
+    return judged(scope, _spoken(scope, Ordinal))
 
 
 def kinds(scope: Scope) -> Proposals:
     """All kinds of container, without their objects."""
-    return _judge(scope, _KINDS)
+    return judged(scope, _KINDS)
 
 
 def verbs(scope: Scope) -> Proposals:
     """All kinds of action, without their objects."""
-    return _judge(scope, _VERBS)
+    return judged(scope, _VERBS)

@@ -87,7 +87,7 @@ class Fitting:
                 order = self._ranked(arrangements, UPRIGHT.get(direction, direction))
                 for index_who, index in self.sets.indices:
                     place = len(order) - 1 if index < 0 else index - 1
-                    if place < len(order):
+                    if 0 <= place < len(order):
                         chosen = order[place]
                         found[chosen.kind, chosen.mask].append(f"nth[{name}|{who}|{index_who}]")
         return {key: tuple(names) for key, names in found.items()}
