@@ -52,4 +52,4 @@ class CorpusErrors(CorpusError):
 
 
 class SearchError(GroundingError):
-    """A space of symbols or of assignments that is too large to be searched exhaustively; says how large it would be."""
+    """A space of symbols or of assignments that is too large to be searched; says how large it is."""

@@ -199,8 +199,9 @@ def read_corpus(path: Path | str, keep_going: bool = False) -> Corpus:
             examples[example.id] = example
     if not examples and not problems.found:
         raise CorpusError(f"{path}: holds no example; a line looks like {json.dumps(dict.fromkeys(_KEYS, '...'))}")
-    problems.finish()
-    return Corpus(tuple(examples.values()), worlds)
+    corpus = Corpus(tuple(examples.values()), worlds)
+    problems.finish(corpus if examples else None)
+    return corpus
 
 
 def write_corpus(corpus: Corpus, path: Path | str) -> None:

@@ -4,8 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from contextlib import contextmanager
+from typing import TYPE_CHECKING
 
 from grounding.errors import CorpusError, CorpusErrors, GroundingError
+
+if TYPE_CHECKING:
+    from grounding.corpus.format import Corpus
 
 
 class Problems:
@@ -35,7 +39,7 @@ class Problems:
                 raise problem from error
             self.found.append(problem)
 
-    def finish(self) -> None:
-        """Raise what was noted, if anything."""
+    def finish(self, rest: Corpus | None = None) -> None:
+        """Raise what was noted, if anything, with the corpus of what was not refused."""
         if self.found:
-            raise CorpusErrors(self.found)
+            raise CorpusErrors(self.found, rest)

@@ -53,9 +53,12 @@ def read_folder(folder: Path | str, keep_going: bool = False) -> Corpus:
     problems = Problems(keep_going)
     readings: list[_Reading] = []
     for path in paths:
+        before = len(problems.found)
         with problems.at(str(path)):
-            readings.append(_read_file(path, problems))
-    problems.finish()
+            reading = _read_file(path, problems)
+            if len(problems.found) == before:  # a file with a refused symbol is not used
+                readings.append(reading)
+    problems.finish(_join(readings) if readings else None)
     return _join(readings)
 
 
