@@ -8,8 +8,10 @@ Where every solution is in collision, mink moves the arm along its redundant joi
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterator, Sequence
 from functools import lru_cache
+from itertools import islice
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -17,11 +19,11 @@ import pinocchio
 from numpy.typing import ArrayLike
 
 from motion.collisions import Near
-from motion.errors import InvalidGoal, UnreachableTarget
+from motion.errors import InvalidGoal
 from motion.ik_avoid import Avoidance
 from motion.ik_mink import ORIENTATION_TOLERANCE, POSITION_TOLERANCE, differential_ik
-from motion.ik_newton import Descent, descend, settle
-from motion.ik_reasons import checked_distance, in_collision, out_of_reach
+from motion.ik_newton import Descent, descend, persist, settle
+from motion.ik_reasons import checked_distance, in_collision, out_of_reach, too_far
 from motion.ik_seeds import SeedTable
 from motion.poses import Array, Pose, frozen
 from motion.recipe import recipe
@@ -29,7 +31,10 @@ from motion.robot import load_robot
 
 LM = "lm"
 """The name of the solver that is not mink's: Levenberg-Marquardt on Pinocchio."""
-RESTARTS = 40
+RESTARTS = 30
+_NEARLY = 1e-2
+"""Starts that end with less than this left (squared metres and radians) are worth a slower, surer descent."""
+_PERSISTENT = 2
 _SLIDES = 2
 _SLIDING_SOLVER = "daqp"
 _LINE_STEPS = 8
@@ -95,7 +100,7 @@ def solve_ik(
     data, kinematics = robot.arm(arm), robot.kinematics(arm)
     first = None if seed is None else _checked_joints(seed, "seed", data.lower, data.upper)
     wished = None if posture is None else _checked_joints(posture, "posture", data.lower, data.upper)
-    if isinstance(restarts, bool) or not isinstance(restarts, int | np.integer) or restarts < 1:
+    if restarts < 1:
         raise InvalidGoal(f"inverse kinematics needs at least one start, not restarts={restarts!r}")
     if tool is not None:
         _check_target(tool, "the frame in the hand")
@@ -107,18 +112,20 @@ def solve_ik(
     preferred = recipe().home[arm] if preferred is None else preferred
     conflicts: list[Near] = []
     refused: list[Array] = []
+    missed: list[Descent] = []
     tried = 0
-    for start in _starts(arm, placement, first, preferred, rng, restarts):
+    for start in _starts(arm, placement, first, preferred, rng, restarts, missed):
         tried += 1
-        descent = lead(start)
+        descent = lead(start) if tried <= restarts else persist(kinematics, last, start)
         if not descent.reached:
             if tried == 1:
                 checked_distance(data, target)
+            missed.append(descent)
             continue
         joints = descent.joints if wished is None else settle(kinematics, last, descent.joints, wished)
         near = None if avoid is None else avoid.nearest(joints)
         if near is None and (accept is None or accept(joints)):
-            return _solution(kinematics, joints, placement, tried)
+            return _solution(kinematics, joints, placement, min(tried, restarts))
         refused.append(joints)
         if near is not None:
             conflicts.append(near)
@@ -126,11 +133,11 @@ def solve_ik(
         for joints in _mildest(refused, conflicts):
             descent = avoid.slide(joints, target, _SLIDING_SOLVER if solver == LM else solver)
             if descent.reached and avoid.nearest(descent.joints) is None and (accept is None or accept(descent.joints)):
-                return _solution(kinematics, descent.joints, placement, tried)
+                return _solution(kinematics, descent.joints, placement, restarts)
     if refused:
-        raise in_collision(data, target, conflicts, len(refused), tried)
-    starts = _table(arm).near(placement.translation, placement.rotation, preferred)
-    raise out_of_reach(data, kinematics, target, last, list(starts), tried)
+        raise in_collision(data, target, conflicts, len(refused), restarts)
+    starts = list(_table(arm).starts(placement.translation, placement.rotation, preferred))
+    raise out_of_reach(data, kinematics, target, last, starts, restarts)
 
 
 def reachable(arm: str, targets: Sequence[Pose], *, restarts: int = RESTARTS) -> Array:
@@ -154,14 +161,14 @@ def reachable(arm: str, targets: Sequence[Pose], *, restarts: int = RESTARTS) ->
         _check_target(target)
         placement = _placement(target)
         last = placement * kinematics.tool_inverse
-        for start in _starts(arm, placement, None, home, None, restarts):
-            descent = descend(kinematics, last, start)
+        missed: list[Descent] = []
+        for tried, start in enumerate(_starts(arm, placement, None, home, None, restarts, missed)):
+            descent = descend(kinematics, last, start) if tried < restarts else persist(kinematics, last, start)
             if descent.reached:
                 found[row] = descent.joints
                 break
-            try:
-                checked_distance(robot.arm(arm), target)
-            except UnreachableTarget:
+            missed.append(descent)
+            if tried == 0 and too_far(robot.arm(arm), target):
                 break
     return found
 
@@ -197,22 +204,31 @@ def _table(arm: str) -> SeedTable:
 
 
 def _starts(
-    arm: str, placement: Any, seed: Array | None, preferred: Array, rng: np.random.Generator | None, restarts: int
+    arm: str,
+    placement: Any,
+    seed: Array | None,
+    preferred: Array,
+    rng: np.random.Generator | None,
+    restarts: int,
+    missed: Sequence[Descent],
 ) -> Iterator[Array]:
-    """The seed, then the table's configurations, then random ones."""
+    """The seed, then the table's configurations, then random ones; after `restarts` of them the best that missed."""
     data = load_robot().arm(arm)
     left = restarts
     if seed is not None:
         yield seed
         left -= 1
     if left > 0:
-        near = _table(arm).near(placement.translation, placement.rotation, preferred)
-        yield from near[:left]
-        left -= len(near)
+        for start in islice(_table(arm).starts(placement.translation, placement.rotation, preferred), left):
+            yield start
+            left -= 1
     if left > 0:
         rng = np.random.default_rng(0) if rng is None else rng
         for _ in range(left):
             yield rng.uniform(data.lower, data.upper)
+    nearly = sorted((descent for descent in missed if descent.left < _NEARLY), key=lambda descent: descent.left)
+    for descent in nearly[:_PERSISTENT]:
+        yield descent.joints
 
 
 def _leader(arm: str, solver: str, target: Pose, last: Any, posture: Array | None) -> Callable[[Array], Descent]:
@@ -232,10 +248,8 @@ def _mildest(refused: list[Array], conflicts: list[Near]) -> list[Array]:
 
 def _solution(kinematics: Any, joints: Array, placement: Any, tried: int) -> IkSolution:
     left = kinematics.placement(joints).actInv(placement)
-    x, y, z = left.translation.tolist()
-    return IkSolution(
-        frozen(joints), (x * x + y * y + z * z) ** 0.5, float(np.linalg.norm(pinocchio.log3(left.rotation))), tried
-    )
+    distance, angle = math.hypot(*left.translation.tolist()), math.hypot(*pinocchio.log3(left.rotation).tolist())
+    return IkSolution(frozen(joints), distance, angle, tried)
 
 
 def _placement(target: Pose) -> Any:

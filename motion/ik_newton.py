@@ -25,6 +25,7 @@ _GOOD = 1e-9
 _STEPS = 14
 _NULLSPACE_STEP = 0.3
 _SETTLED = 1e-3
+_MOST_DAMPING = 1e3
 _PATIENCE = 3
 _PROGRESS = 0.5
 
@@ -84,6 +85,35 @@ def descend(
             moved = joints + (moved - joints) * (_LARGEST_STEP / largest)
         joints = moved
     return Descent(joints, left < _GOOD, step, left)
+
+
+def persist(kinematics: ArmKinematics, target: Any, start: Array, steps: int = 60) -> Descent:
+    """Like `descend`, but a step that leads away is taken back and damped more (Marquardt, 1963).
+
+    Slower, and surer where the arm is nearly stretched: there the plain step overshoots.
+
+    Args:
+        kinematics: the arm.
+        target: as for `descend`.
+        start: (7,) joints within their ranges, radians.
+        steps: how many steps are taken at most.
+    """
+    joints, damping, left = start, 1e-3, np.inf
+    moved = start
+    for _ in range(steps + 1):
+        jacobian_there = pinocchio.computeJointJacobian(kinematics.model, kinematics.data, moved, LAST)
+        error_there = pinocchio.log6(kinematics.data.iMf[0].actInv(target)).vector
+        there = float(error_there.dot(error_there))
+        if there < left:
+            joints, jacobian, error, left = moved, jacobian_there, error_there, there
+            damping = max(damping / 5, 1e-9)
+        else:
+            damping *= 4
+        if left < _GOOD or damping > _MOST_DAMPING:
+            break
+        solved = _solved(jacobian, error, damping)
+        moved = _moved(joints, solved, jacobian, error, damping, kinematics.lower, kinematics.upper)
+    return Descent(joints, left < _GOOD, steps, left)
 
 
 def settle(kinematics: ArmKinematics, target: Any, joints: Array, posture: Array, steps: int = 12) -> Array:

@@ -24,14 +24,18 @@ def checked_distance(arm: Arm, target: Pose) -> None:
     Raises:
         UnreachableTarget: "too far".
     """
-    wrist = target.position - arm.wrist * target.rotation[:, 2]
-    distance = float(np.linalg.norm(wrist - arm.shoulder))
+    distance = _stretch(arm, target)
     if distance > arm.reach:
         raise UnreachableTarget(
             f"the {arm.name} arm cannot reach {place(target)}: too far, its wrist would be "
             f"{distance:.3f} m from the shoulder and the arm is {arm.reach:.3f} m long",
             "too far",
         )
+
+
+def too_far(arm: Arm, target: Pose) -> bool:
+    """Whether the wrist would be farther from the shoulder than the arm is long."""
+    return _stretch(arm, target) > arm.reach
 
 
 def in_collision(arm: Arm, target: Pose, conflicts: Sequence[Near], refused: int, starts: int) -> UnreachableTarget:
@@ -107,6 +111,11 @@ def place(target: Pose) -> str:
     """The position in words."""
     x, y, z = target.position
     return f"({x:.3f}, {y:.3f}, {z:.3f})"
+
+
+def _stretch(arm: Arm, target: Pose) -> float:
+    """Distance from the shoulder to the wrist's centre, metres."""
+    return float(np.linalg.norm(target.position - arm.wrist * target.rotation[:, 2] - arm.shoulder))
 
 
 def _limited(arm: Arm, target: Pose, joints: Array, tried: int) -> UnreachableTarget:

@@ -9,6 +9,7 @@ thousand samples thus has starts within a few centimetres and degrees of any tar
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
@@ -20,7 +21,7 @@ from motion.poses import Array
 SAMPLES = 12_000
 NEIGHBOURS = 24
 _TURN = 2 * math.pi
-_ONES = np.ones(7)
+_BETWEEN = np.array([0.0, 1.0, 1.0, 1.0, 1.0, 1.0, 0.0])
 _POINTING = 0.35
 """Metres that a radian of the hand's direction counts for when starts are looked up."""
 _OUT_OF_RANGE = 0.3
@@ -45,38 +46,54 @@ class SeedTable:
         self._lower, self._upper = kinematics.lower, kinematics.upper
         self._wrist = wrist
         self._joints, self._azimuth = samples["joints"], samples["azimuth"]
+        self._low0, self._high0 = float(self._lower[0]), float(self._upper[0])
+        self._low6, self._high6 = float(self._lower[6]), float(self._upper[6])
         self._x, self._y = samples["x"], samples["y"]
         self._tree = cKDTree(samples["features"], balanced_tree=False, compact_nodes=False)
 
-    def near(self, position: Array, rotation: Array, posture: Array, count: int = NEIGHBOURS) -> Array:
-        """(count, 7) joints within their ranges, the most promising first.
+    def starts(self, position: Array, rotation: Array, posture: Array, count: int = NEIGHBOURS) -> Iterator[Array]:
+        """Joints (7,) within their ranges, the most promising first.
 
         Args:
             position: (3,) of the tool frame in the world's frame, metres.
             rotation: (3, 3) of the tool frame.
             posture: (7,) joints that are preferred where it makes no difference, radians.
-            count: how many starts are wanted.
+            count: how many starts there shall be.
         """
-        turned = self._turn @ rotation
-        x, y, z = (self._turn @ (position - self._origin) - self._wrist * turned[:, 2]).tolist()
+        turned = self._turn.dot(rotation)
+        (ax, _, dx), (ay, _, dy), (az, _, dz) = turned.tolist()
+        x, y, z = self._turn.dot(position - self._origin).tolist()
+        x, y, z = x - self._wrist * dx, y - self._wrist * dy, z - self._wrist * dz
         azimuth = math.atan2(y, x)
         cosine, sine = math.cos(azimuth), math.sin(azimuth)
-        (ax, _, dx), (ay, _, dy), (az, _, dz) = turned.tolist()
         features = (
             math.hypot(x, y), z,
             _POINTING * (cosine * dx + sine * dy), _POINTING * (cosine * dy - sine * dx), _POINTING * dz,
         )  # fmt: skip
-        side = np.array((cosine * ax + sine * ay, cosine * ay - sine * ax, az))
+        side = (cosine * ax + sine * ay, cosine * ay - sine * ax, az)
         distances, found = self._tree.query(features, count)
         joints = self._joints.take(found, axis=0)
-        turn = azimuth - self._azimuth.take(found)
-        joints[:, 0] = turn - _TURN * np.rint(turn / _TURN)
-        joints[:, 6] = np.arctan2(self._y.take(found, axis=0).dot(side), self._x.take(found, axis=0).dot(side))
+        cost = np.abs(joints - posture).dot(_BETWEEN)
+        cost *= _POSTURE
+        cost += distances
+        best = int(cost.argmin())
+        # The most promising one is worked out alone, and in nine of ten cases no other is asked for.
+        row = int(found[best])
+        first = _wrapped(azimuth - float(self._azimuth[row]))
+        last = math.atan2(_dot(self._y[row].tolist(), side), _dot(self._x[row].tolist(), side))
+        if self._low0 <= first <= self._high0 and self._low6 <= last <= self._high6:
+            joints[best, 0], joints[best, 6] = first, last
+            yield joints[best]
+        else:
+            best = -1
+        joints[:, 0] = _wrapped(azimuth - self._azimuth.take(found))
+        across = np.array(side)
+        joints[:, 6] = np.arctan2(self._y.take(found, axis=0).dot(across), self._x.take(found, axis=0).dot(across))
         clipped = np.minimum(np.maximum(joints, self._lower), self._upper)
-        joints -= clipped
-        cost = _OUT_OF_RANGE * np.abs(joints).dot(_ONES) + distances
-        cost += _POSTURE * np.abs(clipped - posture).dot(_ONES)
-        return np.asarray(clipped.take(cost.argsort(), axis=0))
+        cost += _OUT_OF_RANGE * np.abs(joints - clipped).sum(axis=1)
+        for index in cost.argsort().tolist():
+            if index != best:
+                yield clipped[index]
 
 
 def sampled(kinematics: ArmKinematics, wrist: float, count: int) -> dict[str, Any]:
@@ -110,3 +127,12 @@ def _golden(dimensions: int) -> float:
     for _ in range(64):
         root = (1.0 + root) ** (1.0 / (dimensions + 1))
     return root
+
+
+def _wrapped(angle: Any) -> Any:
+    """The angle, a number or an array, in [-pi, pi)."""
+    return (angle + math.pi) % _TURN - math.pi
+
+
+def _dot(first: list[float], second: tuple[float, float, float]) -> float:
+    return first[0] * second[0] + first[1] * second[1] + first[2] * second[2]
