@@ -277,7 +277,7 @@ class Attempt:
         for spacing in (LINE_SPACING,) if name in _LINES else KNOT_SPACINGS:
             trajectory = timed(path, arm.limits, speed, spacing)
             check_limits(trajectory, arm.joints, arm.lower, arm.upper, arm.limits)
-            near = checker.first_conflict(trajectory.positions, rules)
+            near = checker.conflict_of(trajectory.positions, rules)
             if near is None:
                 return trajectory
         assert near is not None

@@ -8,7 +8,8 @@ checked against one another, unless one of them is held.
 from __future__ import annotations
 
 import copy
-from collections.abc import Sequence
+import itertools
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
@@ -161,9 +162,16 @@ class CollisionChecker:
                     found.add(self._indices.bodies[other])
         return frozenset(found)
 
-    def first_conflict(self, path: Sequence[Array] | Array, rules: Rules, grid: float = GRID) -> Near | None:
+    def first_conflict(self, path: Sequence[Array], rules: Rules, grid: float = GRID) -> Near | None:
         """The first conflict along straight lines in joint space through `path`, on the grid, or None."""
-        for joints in dense(path, grid):
+        return self._first(dense(path, grid), rules)
+
+    def conflict_of(self, positions: Array, rules: Rules) -> Near | None:
+        """The first conflict along the (n, 7) samples of a trajectory, on the grid, or None."""
+        return self._first(resampled(positions, GRID), rules)
+
+    def _first(self, configurations: Iterable[Array], rules: Rules) -> Near | None:
+        for joints in configurations:
             near = self.nearest(joints, rules)
             if near is not None:
                 return near
@@ -219,14 +227,21 @@ def _both(table: Array, first: Flags, second: Flags, value: float) -> None:
     table[np.ix_(second, first)] = value
 
 
-def dense(path: Sequence[Array] | Array, grid: float = GRID) -> Array:
-    """(n, 7) configurations along straight lines through `path`, no joint moving by more than `grid` between two."""
-    points = np.asarray(path, dtype=np.float64)
-    if len(points) < 2:
-        return points
-    along = np.concatenate([[0.0], np.cumsum(np.max(np.abs(np.diff(points, axis=0)), axis=1))])
+def dense(path: Sequence[Array], grid: float = GRID) -> Iterable[Array]:
+    """Configurations along straight lines through `path`, no joint moving by more than `grid` between two."""
+    if len(path):
+        yield path[0]
+    for first, second in itertools.pairwise(path):
+        steps = max(1, int(np.ceil(np.max(np.abs(second - first)) / grid)))
+        for k in range(1, steps + 1):
+            yield first + (second - first) * (k / steps)
+
+
+def resampled(positions: Array, grid: float = GRID) -> Array:
+    """(m, 7) configurations along (n, 7) `positions`, no joint moving by more than `grid` between two."""
+    along = np.concatenate([[0.0], np.cumsum(np.max(np.abs(np.diff(positions, axis=0)), axis=1))])
     places = np.linspace(0.0, along[-1], int(np.ceil(along[-1] / grid - 1e-9)) + 1)
-    return np.column_stack([np.interp(places, along, column) for column in points.T])
+    return np.column_stack([np.interp(places, along, column) for column in positions.T])
 
 
 def _bisected(steps: int) -> list[int]:

@@ -1,9 +1,8 @@
 """From a path to a timed trajectory: jerk-limited, all joints together, without stopping on the way.
 
-A path is a clamped cubic B-spline over its waypoints (twice continuously differentiable, straight where the waypoints
-are), and one Ruckig profile (Berscheid and Kröger, 2021) runs along it. For a straight line that is Ruckig's
-phase-synchronised profile; for a curve the profile is slowed by the one factor that brings every joint within its
-limits.
+One Ruckig profile (Berscheid and Kröger, 2021) runs along the path's `Curve`, whose parameter measures the way by what
+the joints may do. For a straight line that is Ruckig's phase-synchronised profile; for a curve the profile is slowed by
+the one factor that brings every joint within its limits.
 """
 
 from __future__ import annotations
@@ -13,8 +12,8 @@ from dataclasses import dataclass
 
 import numpy as np
 import ruckig
-from numpy.typing import NDArray
 
+from motion.curves import Curve
 from motion.errors import LimitViolation
 from motion.poses import Array, frozen
 from motion.recipe import JointLimits, recipe
@@ -77,15 +76,15 @@ def timed(
     """
     if max(float(np.max(np.abs(waypoint - path[0]))) for waypoint in path) < 1e-9:
         return rest(path[-1])
-    spline = _Spline(path, spacing)
-    fine = spline.evaluate(np.linspace(0, 1, 8 * spline.pieces + 1))
+    curve = Curve(path, spacing, limits.acceleration)
+    fine = curve.evaluate(np.linspace(0, 1, 4 * curve.pieces + 1))
     slope = np.maximum(np.max(np.abs(fine[1]), axis=0), 1e-9)
     velocity = 0.999 * speed * float(np.min(limits.velocity / slope))
     acceleration = 0.999 * speed**2 * float(np.min(limits.acceleration / slope))
     jerk = 0.999 * speed**3 * float(np.min(limits.jerk / slope))
     for _ in range(4):
         s, ds, dds, ddds = _profile(velocity, acceleration, jerk)
-        q, d1, d2, d3 = spline.evaluate(s)
+        q, d1, d2, d3 = curve.evaluate(s)
         qd = d1 * ds[:, None]
         qdd = d1 * dds[:, None] + d2 * ds[:, None] ** 2
         qddd = d1 * ddds[:, None] + 3 * d2 * (ds * dds)[:, None] + d3 * ds[:, None] ** 3
@@ -136,54 +135,12 @@ def _profile(velocity: float, acceleration: float, jerk: float) -> tuple[Array, 
     problem.max_velocity, problem.max_acceleration, problem.max_jerk = [velocity], [acceleration], [jerk]
     solution = ruckig.Trajectory(1)
     ruckig.Ruckig(1).calculate(problem, solution)
+    profile = solution.profiles[0][0]
+    starts = np.concatenate([[0.0], np.cumsum(profile.t)])
     count = int(np.ceil(solution.duration / sampling_period() - 1e-9)) + 1
-    rows = np.empty((4, count))
-    for k in range(count):
-        position, speed, change = solution.at_time(min(k * sampling_period(), solution.duration))
-        rows[:3, k] = position[0], speed[0], change[0]
-    rows[3] = np.append(np.diff(rows[2]) / sampling_period(), 0.0)
-    return rows[0], rows[1], rows[2], rows[3]
-
-
-class _Spline:
-    """Clamped uniform cubic B-spline on [0, 1] along a polyline, with three derivatives.
-
-    Its control points lie on the polyline at the knots' Greville abscissae (Schoenberg's approximation), so that a
-    straight polyline is run through at constant speed.
-    """
-
-    def __init__(self, path: Sequence[Array], spacing: float) -> None:
-        waypoints = np.array(path, dtype=np.float64)
-        lengths = np.linalg.norm(np.diff(waypoints, axis=0), axis=1)
-        kept = np.concatenate([[True], lengths > 1e-9])
-        waypoints, lengths = waypoints[kept], lengths[kept[1:]]
-        along = np.concatenate([[0.0], np.cumsum(lengths)]) / lengths.sum()
-        pieces = max(1, int(np.ceil(lengths.sum() / spacing)) + 1) if len(waypoints) > 2 else 1
-        self.pieces = pieces
-        self._knots = np.concatenate([np.zeros(3), np.linspace(0, 1, pieces + 1), np.ones(3)])
-        greville = (self._knots[1:-3] + self._knots[2:-2] + self._knots[3:-1]) / 3
-        points = np.column_stack([np.interp(greville, along, column) for column in waypoints.T])
-        self._control = [points]
-        for degree in (3, 2, 1):
-            previous, knots = self._control[-1], self._knots[3 - degree : len(self._knots) - (3 - degree)]
-            spans = knots[degree + 1 : degree + len(previous)] - knots[1 : len(previous)]
-            self._control.append(degree * np.diff(previous, axis=0) / np.maximum(spans, 1e-12)[:, None])
-
-    def evaluate(self, s: Array) -> tuple[Array, Array, Array, Array]:
-        """Position and three derivatives with respect to s at (n,) places, (n, 7) each."""
-        s = np.clip(s, 0.0, 1.0)
-        count = len(self._control[0])
-        span = np.clip(np.searchsorted(self._knots, s, side="right") - 1, 3, count - 1).astype(np.int64)
-        return tuple(self._value(self._control[k], 3 - k, k, s, span) for k in range(4))  # type: ignore[return-value]
-
-    def _value(self, control: Array, degree: int, trimmed: int, s: Array, span: NDArray[np.int64]) -> Array:
-        """De Boor's algorithm on the derivative's control points, whose knots lose `trimmed` at either end."""
-        knots = self._knots[trimmed : len(self._knots) - trimmed]
-        span = span - trimmed
-        d = [control[span - degree + j] for j in range(degree + 1)]
-        for r in range(1, degree + 1):
-            for j in range(degree, r - 1, -1):
-                left, right = knots[span - degree + j], knots[span + 1 + j - r]
-                t = ((s - left) / np.maximum(right - left, 1e-12))[:, None]
-                d[j] = (1 - t) * d[j - 1] + t * d[j]
-        return d[degree]
+    times = np.minimum(np.arange(count) * sampling_period(), solution.duration)
+    piece = np.clip(np.searchsorted(starts, times, side="right") - 1, 0, len(profile.t) - 1)
+    t = times - starts[piece]
+    j, a, v, p = (np.asarray(values)[piece] for values in (profile.j, profile.a, profile.v, profile.p))
+    ddds = np.append(np.diff(a + t * j) / sampling_period(), 0.0)
+    return np.clip(p + t * (v + t * (a / 2 + t * j / 6)), 0.0, 1.0), v + t * (a + t * j / 2), a + t * j, ddds
