@@ -1,0 +1,121 @@
+"""Figures 6 and 7: instructions of a corpus, and some of our own, with what their phrases were grounded to.
+
+Instructions of the corpus are grounded on their annotated trees, by factors learned from all examples of other
+wordings; those of our own are parsed and grounded as they are in use, by what ships with the project.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import models
+from grounding.corpus.format import Corpus, Example
+from grounding.experiments.engines import make_engine
+from grounding.experiments.errors import ExperimentError
+from grounding.experiments.panels import Figure, phrases_of, telling_panels
+from grounding.experiments.splits import layout_key
+from grounding.geometry.layout import Layout
+from grounding.grounder import Grounder
+from grounding.inference import aligned
+from grounding.language.lexicon import meanings
+from grounding.learning import learn
+from grounding.learning.examples import annotated
+from grounding.symbols import Container
+from grounding.world import load_world
+
+PENALTY = 0.3
+
+
+class OwnInstruction(NamedTuple):
+    """An instruction in words of our own.
+
+    Attributes:
+        name: of the figure.
+        scene: that ships with the project.
+        text: of the instruction.
+    """
+
+    name: str
+    scene: str
+    text: str
+
+
+OWN = (
+    OwnInstruction("own_five", "default", "take the middle cube of the five cubes on the right"),
+    OwnInstruction("own_six", "twelve", "lift the nearest block of the six blocks on the right"),
+)
+
+
+def choose(corpus: Corpus, count: int) -> tuple[str, ...]:
+    """Ids of the examples that show most: phrases that ground to an arrangement which none of their words names.
+
+    Among equals the longer instruction comes first; instructions of the same words or in the same world come later.
+    """
+    order = sorted(corpus, key=lambda e: (-_unsaid(e), -len(e.tree.leaves), e.id))
+    chosen: list[Example] = []
+    for fresh in (True, False):
+        for example in order:
+            if len(chosen) == count:
+                break
+            told = example.tree.text in {e.tree.text for e in chosen}
+            known = example.world in {e.world for e in chosen}
+            if example not in chosen and not (fresh and (told or known)):
+                chosen.append(example)
+    return tuple(example.id for example in chosen)
+
+
+def corpus_figures(corpus: Corpus, ids: Sequence[str]) -> tuple[Figure, ...]:
+    """Figures of examples of a corpus.
+
+    Args:
+        corpus: that they are in; those of other words are learned from.
+        ids: of the examples.
+
+    Raises:
+        CorpusError: there is no such example.
+        ExperimentError: nothing is left to learn from.
+    """
+    chosen = [corpus[name] for name in ids]
+    texts = {example.tree.text for example in chosen}
+    layouts = {name: Layout(world) for name, world in corpus.worlds.items()}
+    rest = [e for e in corpus if e.tree.text not in texts]
+    if not rest:
+        raise ExperimentError("no instruction is left to learn from but those that are to be drawn")
+    engine = make_engine("adcg", learn([annotated(e.tree, e.groundings, layouts[e.world]) for e in rest], PENALTY))
+    figures = []
+    for example in chosen:
+        best = engine.infer(example.tree, layouts[example.world]).hypotheses[0]
+        panels = telling_panels(phrases_of(example.tree, best))
+        known = layout_key(corpus.worlds[example.world]) in {layout_key(corpus.worlds[e.world]) for e in rest}
+        parts = [part.symbols for _, part in aligned(example.tree, best)]
+        right = sum(part == gold for part, gold in zip(parts, example.groundings, strict=True))
+        note = f"{example.id}, {example.world}: learned from {len(rest)} instructions of other words"
+        note += f", {'some' if known else 'none'} of them in this world"
+        note += f"; {right} of {len(example.groundings)} phrases as annotated"
+        figures.append(Figure(example.id, example.instruction, corpus.worlds[example.world], panels, note))
+    return tuple(figures)
+
+
+def own_figures() -> tuple[Figure, ...]:
+    """Figures of instructions in words of our own, in scenes and with weights that ship with the project."""
+    grounder = Grounder.load()
+    figures = []
+    for own in OWN:
+        world = load_world(models.SCENES / f"{own.scene}.json")
+        result = grounder.ground(own.text, world)
+        note = f"in words of our own, in the scene {own.scene!r}, with the grammar and the weights that ship"
+        figures.append(Figure(own.name, own.text, world, telling_panels(result.phrases), note))
+    return tuple(figures)
+
+
+def _unsaid(example: Example) -> int:
+    """How many phrases ground to an arrangement though none of their words is the name of one."""
+    count = 0
+    for phrase, symbols in example.phrases:
+        if phrase.tag != "NP" or not any(isinstance(s, Container) and len(s.objects) > 1 for s in symbols):
+            continue
+        kinds = {s.kind for leaf in phrase.leaves for s in meanings(leaf.text) if isinstance(s, Container)}
+        robot = any(isinstance(s, Container) and s.kind == "robot" for s in symbols)
+        count += not robot and not kinds - {"robot"}
+    return count
