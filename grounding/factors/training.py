@@ -7,7 +7,6 @@ tens of millions of them, are never written out.
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
@@ -28,7 +27,7 @@ class TrainingSet:
     facts: dict[str, int] = field(default_factory=dict)
     roles: dict[str, int] = field(default_factory=dict)
     contexts: dict[tuple[int, ...], int] = field(default_factory=dict)
-    rows: Counter[tuple[int, tuple[int, ...], bool]] = field(default_factory=Counter)
+    rows: dict[tuple[int, tuple[int, ...], bool], float] = field(default_factory=dict)
 
     def add(self, facts: Iterable[str], candidates: Iterable[tuple[Sequence[str], bool]]) -> None:
         """Add a phrase.
@@ -37,13 +36,24 @@ class TrainingSet:
             facts: of its context.
             candidates: the roles of every symbol that was judged, with whether it is true of the phrase.
         """
-        merged = Counter((tuple(sorted({self._role(role) for role in roles})), label) for roles, label in candidates)
-        if not merged:
+        self.add_counted(facts, [(roles, label, 1) for roles, label in candidates])
+
+    def add_counted(self, facts: Iterable[str], candidates: Iterable[tuple[Sequence[str], bool, float]]) -> None:
+        """Add a phrase whose symbols are merged already.
+
+        Args:
+            facts: of its context.
+            candidates: roles, whether symbols with those are true of the phrase, and how many such symbols there are.
+        """
+        role, known = self._role, self.rows
+        rows = [(tuple(sorted({role(name) for name in roles})), label, count) for roles, label, count in candidates]
+        if not rows:
             return
         context = tuple(self.facts.setdefault(fact, len(self.facts)) for fact in facts)
         place = self.contexts.setdefault(context, len(self.contexts))
-        for (roles, label), count in merged.items():
-            self.rows[place, roles, label] += count
+        for chosen, label, count in rows:
+            key = place, chosen, label
+            known[key] = known.get(key, 0) + count
 
     def _role(self, name: str) -> int:
         return self.roles.setdefault(name, len(self.roles))

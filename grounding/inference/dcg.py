@@ -12,6 +12,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from grounding.errors import SearchError
 from grounding.factors.model import FactorModel, Scorer
 from grounding.features import STAGES, Scope
 from grounding.features.context import context_facts
@@ -23,6 +24,7 @@ from grounding.language.tree import Phrase
 from grounding.symbols import Symbol
 from grounding.world import Array
 
+MOST_LIKELY = 20_000  # symbols of one family
 REPORTED_ODDS = math.log(0.02 / 0.98)  # symbols less likely than this are not worth a place in a report
 
 Judged = tuple[frozenset[Symbol], float, dict[Symbol, float]]  # symbols, log probability, probabilities of each
@@ -52,7 +54,8 @@ class Dcg:
             memory: phrases grounded before by this engine in this world.
 
         Raises:
-            SearchError: the world has so many things that their subsets cannot be listed.
+            SearchError: the world has so many things that their subsets cannot be listed, or the factors take
+                thousands of symbols for likely.
         """
         tally = Tally()
         known: Memory = {} if memory is None else memory
@@ -118,7 +121,7 @@ def likely_symbols(scorer: Scorer, scope: Scope, least: float, tally: Tally) -> 
         if column is None:
             continue
         space = every(scope, family.name)
-        tally.add(family.name, space.size)
+        tally.add(family.name, space.size, space.judged)
         found.symbols += [symbol for symbol, _ in space.listed]
         found.log_odds += scorer.log_odds(family.name, values, [roles for _, roles in space.listed])
         for block, dropped in zip(space.blocks, space.dropped, strict=True):
@@ -129,8 +132,22 @@ def likely_symbols(scorer: Scorer, scope: Scope, least: float, tally: Tally) -> 
             odds = block.log_odds(lookup)
             odds[list(dropped)] = -np.inf
             places = np.flatnonzero(odds > least)
+            _bounded(family.name, len(places), space.size)
             found.symbols += [block.symbol(int(place)) for place in places]
             found.log_odds += odds[places].tolist()
             odds[places] = -np.inf
             found.rest -= float(np.logaddexp(0.0, odds).sum())
+        alike = scorer.log_odds(family.name, values, [roles for roles, _ in space.alike])
+        for (_, count), one in zip(space.alike, alike, strict=True):
+            _bounded(family.name, count if one > 0 else 0, space.size)
+            found.rest -= count * float(np.logaddexp(0.0, one))
     return found
+
+
+def _bounded(family: str, likely: int, size: int) -> None:
+    """Refuse to go on with factors that take thousands of symbols for likely."""
+    if likely > MOST_LIKELY:
+        raise SearchError(
+            f"{likely:,} of {size:,} symbols of the family {family!r} are likely, at most {MOST_LIKELY:,} can be; are "
+            "these factors trained with all incorrect combinations as negatives?"
+        )

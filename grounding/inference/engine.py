@@ -44,9 +44,9 @@ class Tally:
         self.evaluations = 0
         self.sizes: Counter[str] = Counter()
 
-    def add(self, family: str, size: int) -> None:
-        """So many symbols of a family were judged, each by one factor."""
-        self.evaluations += size
+    def add(self, family: str, size: int, evaluations: int | None = None) -> None:
+        """So many symbols of a family were judged, by so many factors: one each if nothing else is said."""
+        self.evaluations += size if evaluations is None else evaluations
         self.sizes[family] += size
 
     def inference(self, tree: Phrase, hypotheses: list[Hypothesis]) -> Inference:

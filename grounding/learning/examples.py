@@ -1,7 +1,8 @@
 """Turns annotated examples into the rows that factors are trained on, and trains them.
 
 Every phrase is looked at with its children's annotated groundings and, in the later stages, with its own annotated
-concrete and abstract symbols; all proposed symbols that are not annotated are negatives.
+concrete and abstract symbols. All symbols that are not annotated are negatives: those that are proposed or, in worlds
+whose power set can be listed, all of Γ; those that are alike are merged with their number.
 """
 
 from __future__ import annotations
@@ -10,9 +11,12 @@ from collections import Counter
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 
+import numpy as np
+
 from grounding.factors import FactorModel, TrainingSet, train
 from grounding.features import FAMILIES, STAGES, Scope, family_of
 from grounding.features.context import context_facts
+from grounding.features.exhaustive import every
 from grounding.geometry.layout import Layout
 from grounding.language.tree import Phrase
 from grounding.symbols import Symbol
@@ -36,13 +40,36 @@ def annotated(tree: Phrase, groundings: Sequence[frozenset[Symbol]], layout: Lay
     return tree, {id(phrase): g for phrase, g in zip(tree.preorder(), groundings, strict=True)}, layout
 
 
-def collect(examples: Iterable[Annotated]) -> tuple[dict[str, TrainingSet], Coverage]:
+@dataclass(frozen=True)
+class Negatives:
+    """Which symbols are negatives, beside those that are proposed.
+
+    Attributes:
+        things: all of Γ in worlds of up to so many things, none in larger ones.
+        sample: containers that geometry does not find differ in so many ways that they are not merged but drawn: so
+            many of each kind and phrase, each standing for its share; none are left out where there are no more.
+        seed: of what is drawn.
+    """
+
+    things: int = 0
+    sample: int = 64
+    seed: int = 0
+
+
+PROPOSED = Negatives()
+
+
+def collect(
+    examples: Iterable[Annotated], negatives: Negatives = PROPOSED
+) -> tuple[dict[str, TrainingSet], Coverage]:
     """The training rows of all families."""
     sets = {family.name: TrainingSet() for family in FAMILIES}
     coverage = Coverage()
+    rng = np.random.default_rng(negatives.seed)
     for tree, groundings, layout in examples:
+        sample = negatives.sample if layout.size <= negatives.things else None
         for phrase in tree.preorder():
-            _collect_phrase(phrase, groundings, layout, sets, coverage)
+            _collect_phrase(phrase, groundings, layout, sets, coverage, sample, rng)
     return sets, coverage
 
 
@@ -52,6 +79,8 @@ def _collect_phrase(
     layout: Layout,
     sets: Mapping[str, TrainingSet],
     coverage: Coverage,
+    sample: int | None,
+    rng: np.random.Generator,
 ) -> None:
     gold = groundings[id(phrase)]
     by_stage = [frozenset(s for s in gold if _STAGE_OF[family_of(s)] == number) for number in range(len(STAGES))]
@@ -63,9 +92,16 @@ def _collect_phrase(
             scope = scope.with_abstract(by_stage[1])
         facts = context_facts(scope)
         for family in families:
-            proposals = family.propose(scope)
-            sets[family.name].add(facts, [(roles, symbol in gold) for symbol, roles in proposals])
             wanted = {s for s in gold if family_of(s) == family.name}
+            if sample is None:
+                proposals = family.propose(scope)
+                sets[family.name].add(facts, [(roles, symbol in gold) for symbol, roles in proposals])
+            else:
+                space = every(scope, family.name).listing(sorted(wanted, key=str))
+                proposals = space.listed[: space.proposed]
+                rows: list[tuple[list[str], bool, float]] = [(roles, s in gold, 1.0) for s, roles in space.listed]
+                rows += [(roles, False, count) for roles, count in space.unlisted(sample, rng)]
+                sets[family.name].add_counted(facts, rows)
             found = wanted & {symbol for symbol, _ in proposals}
             coverage.annotated[family.name] += len(wanted)
             coverage.proposed[family.name] += len(found)
@@ -77,6 +113,7 @@ def learn(
     penalty: float = 1.0,
     progress: Callable[[str], None] | None = None,
     notes: Mapping[str, object] | None = None,
+    negatives: Negatives = PROPOSED,
 ) -> FactorModel:
     """Train all factors.
 
@@ -85,8 +122,9 @@ def learn(
         penalty: strength of the L2 regularisation.
         progress: told the name of every family when its turn comes.
         notes: kept with the weights.
+        negatives: which symbols are negatives beside those that are proposed.
     """
-    sets, coverage = collect(examples)
+    sets, coverage = collect(examples, negatives)
     factors = {}
     for name, data in sets.items():
         if progress is not None:
