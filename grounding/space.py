@@ -131,6 +131,52 @@ class SymbolSpace:
         """All symbols of Γ, kind by kind, each once."""
         return itertools.chain.from_iterable(kind.symbols(self) for kind in KINDS)
 
+    def __contains__(self, symbol: object) -> bool:
+        """Whether a symbol is one of Γ; told from its parts, without enumeration."""
+        match symbol:
+            case ObjectSymbol(name):
+                return name in self.objects or name in self.furniture
+            case ObjectType(name):
+                return name in self.types
+            case ObjectColor(name):
+                return name in self.colors
+            case SpatialReference():
+                return True
+            case Cardinal(value):
+                return 0 < value <= self.numbers
+            case Ordinal(value):
+                return value == LAST or 0 < value <= self.numbers
+            case Container(kind, members):
+                return not members or self._is_reference(kind, members) and (kind == ROBOT or len(members) > 1)
+            case ObjectAttribute(object_type, color, _, index):
+                return self._are_labels(object_type, color) and (index is None or Ordinal(index) in self)
+            case ContainerAttribute(object_type, color, _, number):
+                return self._are_labels(object_type, color) and (number is None or Cardinal(number) in self)
+            case Region(relation, kind, members):
+                return self._is_reference(kind, members) and (relation != PAIRING or len(members) > 1)
+            case Action(kind, members, region):
+                if not members or not self._are_things(members):
+                    return not members and region is None
+                if region is None or kind != PLACE:
+                    return region is None and kind != PLACE
+                beside_itself = region.kind == "object" and region.objects == members
+                return region in self and (beside_itself or not set(members) & set(region.objects))
+        return False
+
+    def _are_things(self, members: tuple[str, ...]) -> bool:
+        return set(members) <= set(self.objects) and len(set(members)) == len(members)
+
+    def _are_labels(self, object_type: str | None, color: str | None) -> bool:
+        return (object_type is None or object_type in self.types) and (color is None or color in self.colors)
+
+    def _is_reference(self, kind: str, members: tuple[str, ...]) -> bool:
+        """Whether regions can be of these."""
+        if kind == ROBOT:
+            return members in ((), self.hands)
+        if len(members) == 1:
+            return kind == "object" and ObjectSymbol(members[0]) in self
+        return len(members) > 1 and self._are_things(members)
+
 
 def largest_number(objects: int) -> int:
     """The largest cardinal and ordinal in Γ: of so many objects, or the largest that has a word of its own."""
