@@ -13,12 +13,11 @@ import models
 from grounding.corpus.format import Corpus, Example
 from grounding.experiments.engines import make_engine
 from grounding.experiments.errors import ExperimentError
-from grounding.experiments.panels import Figure, phrases_of, telling_panels
+from grounding.experiments.panels import Figure, phrases_of, telling_panels, unsaid_kinds
 from grounding.experiments.splits import layout_key
 from grounding.geometry.layout import Layout
 from grounding.grounder import Grounder
 from grounding.inference import aligned
-from grounding.language.lexicon import meanings
 from grounding.learning import learn
 from grounding.learning.examples import annotated
 from grounding.symbols import Container
@@ -52,7 +51,8 @@ def choose(corpus: Corpus, count: int) -> tuple[str, ...]:
 
     Among equals the longer instruction comes first; instructions of the same words or in the same world come later.
     """
-    order = sorted(corpus, key=lambda e: (-_unsaid(e), -len(e.tree.leaves), e.id))
+    worth = {example.id: _worth(example, corpus) for example in corpus}
+    order = sorted(corpus, key=lambda e: (-worth[e.id][0], -worth[e.id][1], -len(e.tree.leaves), e.id))
     chosen: list[Example] = []
     for fresh in (True, False):
         for example in order:
@@ -86,7 +86,7 @@ def corpus_figures(corpus: Corpus, ids: Sequence[str]) -> tuple[Figure, ...]:
     figures = []
     for example in chosen:
         best = engine.infer(example.tree, layouts[example.world]).hypotheses[0]
-        panels = telling_panels(phrases_of(example.tree, best))
+        panels = telling_panels(phrases_of(example.tree, best), corpus.worlds[example.world])
         known = layout_key(corpus.worlds[example.world]) in {layout_key(corpus.worlds[e.world]) for e in rest}
         parts = [part.symbols for _, part in aligned(example.tree, best)]
         right = sum(part == gold for part, gold in zip(parts, example.groundings, strict=True))
@@ -105,17 +105,16 @@ def own_figures() -> tuple[Figure, ...]:
         world = load_world(models.SCENES / f"{own.scene}.json")
         result = grounder.ground(own.text, world)
         note = f"in words of our own, in the scene {own.scene!r}, with the grammar and the weights that ship"
-        figures.append(Figure(own.name, own.text, world, telling_panels(result.phrases), note))
+        figures.append(Figure(own.name, own.text, world, telling_panels(result.phrases, world), note))
     return tuple(figures)
 
 
-def _unsaid(example: Example) -> int:
-    """How many phrases ground to an arrangement though none of their words is the name of one."""
-    count = 0
+def _worth(example: Example, corpus: Corpus) -> tuple[int, int]:
+    """How many phrases ground to an arrangement that no word names: to one of some of the blocks, and at all."""
+    count = len(corpus.worlds[example.world].things)
+    some = every = 0
     for phrase, symbols in example.phrases:
-        if phrase.tag != "NP" or not any(isinstance(s, Container) and len(s.objects) > 1 for s in symbols):
-            continue
-        kinds = {s.kind for leaf in phrase.leaves for s in meanings(leaf.text) if isinstance(s, Container)}
-        robot = any(isinstance(s, Container) and s.kind == "robot" for s in symbols)
-        count += not robot and not kinds - {"robot"}
-    return count
+        if phrase.tag == "NP" and set(unsaid_kinds(phrase.text, symbols)) - {"group"}:
+            every += 1
+            some += all(len(s.objects) < count for s in symbols if isinstance(s, Container))
+    return some, every

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 from grounding.inference import Hypothesis
+from grounding.language.lexicon import meanings
 from grounding.language.tree import Phrase
 from grounding.pictures import Mark, Row, meaning_of
 from grounding.pictures.marks import EXPRESSED, listed
@@ -64,23 +65,44 @@ def phrases_of(tree: Phrase, hypothesis: Hypothesis, depth: int = 0) -> list[Phr
     return found
 
 
-def telling_panels(phrases: Sequence[PhraseGrounding], most: int = 4) -> tuple[Panel, ...]:
-    """The phrases that mean something among the objects; of those that mean the same, a noun phrase stands for all.
+def telling_panels(phrases: Sequence[PhraseGrounding], world: World, most: int = 4) -> tuple[Panel, ...]:
+    """The phrases that mean something among the objects.
+
+    Of those that mean the same, one stands for all: one that means an arrangement which none of its words names if
+    there is one, otherwise the outermost noun phrase.
 
     Args:
         phrases: of one tree, parents before children.
+        world: whose objects they mean; phrases that mean the robot or the furniture only are left out.
         most: so many at most; the outermost phrase is always among them, then those of most words.
+
+    Returns:
+        panels in the order in which phrases are grounded: the inner before the outer, the left before the right.
     """
+    things = {item.id for item in world.things}
     chosen: dict[object, tuple[int, PhraseGrounding, tuple[Mark, ...]]] = {}
     for place, phrase in enumerate(phrases):
-        marks = marks_of_phrase(phrase)
+        marks = tuple(mark for mark in marks_of_phrase(phrase) if things.intersection(mark.objects))
         key = frozenset((mark.role, frozenset(mark.objects)) for mark in marks)
         known = chosen.get(key)
-        if marks and (known is None or (known[1].tag == "PP" and phrase.tag != "PP" and known[0] > 0)):
+        if marks and (known is None or known[0] > 0 and _worth(phrase) > _worth(known[1])):
             chosen[key] = (place, phrase, marks)
     kept = sorted(chosen.values(), key=lambda item: (item[1].depth > 0, -len(item[1].text.split())))[:most]
-    kept.sort(key=lambda item: -item[0])  # children come after their parents in `phrases`, and before them here
+    kept.sort(key=lambda item: (item[1].words[1], -item[1].words[0], -item[1].depth))
     return tuple(Panel(phrase.text, phrase.tag, marks, _rows(phrase, marks)) for _, phrase, marks in kept)
+
+
+def unsaid_kinds(text: str, symbols: Iterable[Symbol]) -> tuple[str, ...]:
+    """The kinds of the containers among some symbols that no word of a phrase names."""
+    said = {s.kind for word in text.split() for s in meanings(word) if isinstance(s, Container)}
+    kinds = {s.kind for s in symbols if isinstance(s, Container) and s.objects and s.kind != "robot"}
+    return tuple(sorted(kinds - said)) if not said & kinds else ()
+
+
+def _worth(phrase: PhraseGrounding) -> tuple[bool, bool]:
+    """Which of two phrases that mean the same is shown."""
+    symbols = [symbol for symbol, p in phrase.groundings if p >= EXPRESSED]
+    return phrase.tag != "PP" and bool(unsaid_kinds(phrase.text, symbols)), phrase.tag != "PP"
 
 
 def marks_of_phrase(phrase: PhraseGrounding) -> tuple[Mark, ...]:
@@ -108,8 +130,13 @@ def _rows(phrase: PhraseGrounding, marks: Sequence[Mark]) -> tuple[Row, ...]:
     rows = [Row(mark.role, _kind(mark), mark.meaning, f"{mark.probability:.2f}", mark.color) for mark in marks]
     shown = {mark.meaning for mark in marks}
     said = [s for s, p in phrase.groundings if p >= EXPRESSED and not _is_marked(s) and meaning_of(s) not in shown]
-    if said:
-        rows.append(Row("", "says", ", ".join(dict.fromkeys(meaning_of(symbol) for symbol in said)), "", FAINT))
+    texts = list(dict.fromkeys(meaning_of(symbol) for symbol in said))
+    whole = [text for text in texts if not any(set(text.split()) < set(other.split()) for other in texts)]
+    unsaid = unsaid_kinds(phrase.text, (symbol for symbol, p in phrase.groundings if p >= EXPRESSED))
+    if unsaid:
+        rows.append(Row("passed", f"none of these words says “{unsaid[0]}”"))
+    if whole:
+        rows.append(Row("", "says", ", ".join(whole), "", FAINT))
     return tuple(rows)
 
 

@@ -15,42 +15,51 @@ PANEL = 860  # width of a panel in pixels
 _GAP = 26
 _MARGIN = 34
 _TITLE, _LINE = 34, 44
+_SAID, _SAID_LINE, _INDENT = 25, 32, 28
 _NOTE = 16
 
 
 def draw_figure(figure: Figure) -> Image.Image:
     """The phrases of a figure over plans of its world, seen from above."""
-    return on_sheet(figure, [_plan(figure, panel, place) for place, panel in enumerate(figure.panels)])
-
-
-def caption(panel: Panel, place: int) -> str:
-    """The letter and the words of a panel."""
-    return f"({chr(ord('a') + place)})  {panel.tag}  “{panel.text}”"
+    return on_sheet(figure, [plan_of(figure, panel) for panel in figure.panels])
 
 
 def on_sheet(figure: Figure, panels: Sequence[Image.Image]) -> Image.Image:
-    """Put the pictures of panels on one sheet, in rows of two, with the instruction above and the note below."""
+    """Put the pictures of a figure's panels on one sheet, in rows of two, each under its phrase.
+
+    Args:
+        figure: its instruction stands above, its note below.
+        panels: of equal width, in the order of `figure.panels`.
+    """
     across = 1 if len(panels) == 1 else 2
     width = max((panel.width for panel in panels), default=PANEL)
-    rows = [panels[i : i + across] for i in range(0, len(panels), across)]
-    heights = [max(panel.height for panel in row) for row in rows]
+    rows = [range(i, min(i + across, len(panels))) for i in range(0, len(panels), across)]
+    captions = [_caption(panel, i, width) for i, panel in enumerate(figure.panels)]
+    above = [8 + _SAID_LINE * max(len(captions[i]) for i in row) for row in rows]
+    below = [max(panels[i].height for i in row) for row in rows]
     total = 2 * _MARGIN + across * width + (across - 1) * _GAP
     lines = wrapped(f"“{figure.title}”", _TITLE, total - 2 * _MARGIN)
-    top = 24 + _LINE * len(lines) + 14
-    canvas = Canvas(total, top + sum(heights) + _GAP * len(rows) + 34)
+    y = 24 + _LINE * len(lines) + 14
+    canvas = Canvas(total, y + sum(above) + sum(below) + _GAP * len(rows) + 34)
     for i, line in enumerate(lines):
         canvas.text((_MARGIN, 24 + _LINE * (i + 0.5)), line, _TITLE, INK, "lm")
-    y = top
-    for row, height in zip(rows, heights, strict=True):
-        for i, panel in enumerate(row):
-            x = _MARGIN + i * (width + _GAP)
-            canvas.paste(panel, (x, y))
-            frame = [(x, y), (x + width, y), (x + width, y + height), (x, y + height)]
+    for row, top, height in zip(rows, above, below, strict=True):
+        for i in row:
+            x = _MARGIN + (i % across) * (width + _GAP)
+            for k, line in enumerate(captions[i]):
+                canvas.text((x + _INDENT, y + 10 + _SAID_LINE * (k + 0.5)), line, _SAID, INK, "lm")
+            canvas.paste(panels[i], (x, y + top))
+            frame = [(x, y), (x + width, y), (x + width, y + top + height), (x, y + top + height)]
             canvas.polygon(frame, line=EDGE, width=1)
-        y += height + _GAP
+        y += top + height + _GAP
     canvas.text((_MARGIN, y + 4), shortened(figure.note, _NOTE, total - 2 * _MARGIN), _NOTE, FAINT, "lm")
     return canvas.finished()
 
 
-def _plan(figure: Figure, panel: Panel, place: int) -> Image.Image:
-    return draw_plan(figure.world, panel.marks, caption(panel, place), panel.rows, width=PANEL)
+def plan_of(figure: Figure, panel: Panel) -> Image.Image:
+    """One phrase over the plan of its world."""
+    return draw_plan(figure.world, panel.marks, "", panel.rows, width=PANEL)
+
+
+def _caption(panel: Panel, place: int, width: int) -> list[str]:
+    return wrapped(f"({chr(ord('a') + place)})  {panel.tag}  “{panel.text}”", _SAID, width - 2 * _INDENT)
