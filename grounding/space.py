@@ -1,17 +1,34 @@
 """Γ, counted and enumerated: which symbols there are for N objects and given labels (Section III of Paul et al., 2016).
 
-This module alone says which symbols Γ contains. Every kind has a size in closed form and a generator that yields its
-symbols one by one, subsets of objects in the order of their masks (bit i is the i-th id). Sizes are exact integers of
-any length; containers grow as 2^N, and placings, which pair a set with a region beside it, as 3^N.
+This module alone says which symbols Γ contains, for a world or for so many objects. Every kind has a size in closed
+form and the generator of `grounding.enumeration` that yields its symbols. Sizes are exact integers of any length;
+containers grow as 2^N, and placings, which pair a set with a region beside it, as 3^N.
 """
 
 from __future__ import annotations
 
 import itertools
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from typing import NamedTuple
 
+from grounding.enumeration import (
+    ARRANGEMENT_KINDS,
+    DIRECTIONS,
+    PAIRING,
+    PLACE,
+    ROBOT,
+    TAKING_KINDS,
+    enumerate_actions,
+    enumerate_container_attributes,
+    enumerate_container_regions,
+    enumerate_containers,
+    enumerate_object_attributes,
+    enumerate_object_regions,
+    enumerate_placings,
+    enumerate_robot_regions,
+    enumerate_set_regions,
+)
 from grounding.errors import SymbolError
 from grounding.symbols import (
     ACTION_KINDS,
@@ -33,12 +50,6 @@ from grounding.symbols import (
 )
 from grounding.world import World
 
-ROBOT = "robot"  # the container of the robot's hands: of these only, whatever else there is
-ARRANGEMENT_KINDS = tuple(kind for kind in CONTAINER_KINDS if kind != ROBOT)
-PLACE = "place"  # the action that has a destination
-TAKING_KINDS = tuple(kind for kind in ACTION_KINDS if kind != PLACE)
-PAIRING = "between"  # the reference that needs two
-DIRECTIONS = tuple(name for name in SPATIAL_REFERENCES if name != PAIRING)
 NUMBER_WORDS = 20  # numbers and ranks go so far at least: as far as words for them do
 UNKNOWN = "unknown"  # the colour that nobody knows is no label
 
@@ -183,98 +194,6 @@ def largest_number(objects: int) -> int:
     return max(objects, NUMBER_WORDS)
 
 
-def subsets(ids: Sequence[str], least: int = 1) -> Iterator[tuple[str, ...]]:
-    """The subsets of at least so many members, in the order of their masks: bit i is the i-th id."""
-    for mask in range(1 << len(ids)):
-        if mask.bit_count() >= least:
-            yield tuple(name for i, name in enumerate(ids) if mask >> i & 1)
-
-
-def enumerate_containers(ids: Sequence[str]) -> Iterator[Container]:
-    """(σ, O_j) for every arrangement σ and every O_j of two and more of the ids."""
-    for members in subsets(ids, 2):
-        for kind in ARRANGEMENT_KINDS:
-            yield Container(kind, members)
-
-
-def enumerate_object_attributes(types: Sequence[str], colors: Sequence[str], numbers: int) -> Iterator[ObjectAttribute]:
-    """Π_O: every type, colour, spatial reference and rank, each of which can be left unsaid."""
-    ranks = (None, *range(1, numbers + 1), LAST)
-    parts = ((None, *types), (None, *colors), (None, *SPATIAL_REFERENCES), ranks)
-    return itertools.starmap(ObjectAttribute, itertools.product(*parts))
-
-
-def enumerate_container_attributes(
-    types: Sequence[str], colors: Sequence[str], numbers: int
-) -> Iterator[ContainerAttribute]:
-    """Π_η: every type, colour, spatial reference and number, each of which can be left unsaid."""
-    parts = ((None, *types), (None, *colors), (None, *SPATIAL_REFERENCES), (None, *range(1, numbers + 1)))
-    return itertools.starmap(ContainerAttribute, itertools.product(*parts))
-
-
-def enumerate_object_regions(ids: Sequence[str]) -> Iterator[Region]:
-    """Regions of one object each."""
-    for name in ids:
-        for relation in DIRECTIONS:
-            yield Region(relation, "object", (name,))
-
-
-def enumerate_set_regions(ids: Sequence[str]) -> Iterator[Region]:
-    """Regions of two and more objects that form no arrangement: between them, left of them."""
-    for members in subsets(ids, 2):
-        for relation in SPATIAL_REFERENCES:
-            yield Region(relation, "object", members)
-
-
-def enumerate_container_regions(ids: Sequence[str]) -> Iterator[Region]:
-    """R_η: regions of containers."""
-    for container in enumerate_containers(ids):
-        for relation in SPATIAL_REFERENCES:
-            yield Region(relation, container.kind, container.objects)
-
-
-def enumerate_robot_regions(hands: Sequence[str]) -> Iterator[Region]:
-    """Regions of the robot itself and of its hands."""
-    for relation in DIRECTIONS:
-        yield Region(relation, ROBOT, ())
-    if hands:
-        for relation in SPATIAL_REFERENCES if len(hands) > 1 else DIRECTIONS:
-            yield Region(relation, ROBOT, tuple(hands))
-
-
-def enumerate_regions(space: SymbolSpace) -> Iterator[Region]:
-    """All regions."""
-    yield from enumerate_object_regions((*space.objects, *space.furniture))
-    yield from enumerate_set_regions(space.objects)
-    yield from enumerate_container_regions(space.objects)
-    yield from enumerate_robot_regions(space.hands)
-
-
-def enumerate_actions(ids: Sequence[str]) -> Iterator[Action]:
-    """Actions without a destination on every set of objects."""
-    for members in subsets(ids):
-        for kind in TAKING_KINDS:
-            yield Action(kind, members)
-
-
-def enumerate_placings(space: SymbolSpace) -> Iterator[Action]:
-    """Every set of objects to every region that is not of any of them, and to the regions beside itself."""
-    ids = space.objects
-    whole = (1 << len(ids)) - 1
-    bits = {name: 1 << i for i, name in enumerate(ids)}
-    sets: list[tuple[str, ...]] = [()]  # by mask
-    for name in ids:
-        sets += [(*members, name) for members in sets]
-    for region in enumerate_regions(space):
-        free = whole & ~sum(bits.get(name, 0) for name in region.objects)
-        chosen = free & -free
-        while chosen:
-            yield Action(PLACE, sets[chosen], region)
-            chosen = (chosen - free) & free  # the next subset of `free`
-        if region.kind == "object" and free != whole:
-            yield Action(PLACE, region.objects, region)
-
-
 def _several(n: int) -> int:
     """How many subsets of n objects have two and more members."""
     return 2**n - n - 1
@@ -364,10 +283,10 @@ KINDS: tuple[Kind, ...] = (
     Kind("regions of the robot", "region(front, robot; )", True, "B = D; 2 D if H = 1; D + R if H > 1",
          _robot_regions, lambda s: enumerate_robot_regions(s.hands)),
     Kind("actions on sets", "action(pick; b3)", True, "(V - 1) P",
-         lambda c: (_V - 1) * (2**c.objects - 1), lambda s: enumerate_actions(s.objects)),
+         lambda c: len(TAKING_KINDS) * (2**c.objects - 1), lambda s: enumerate_actions(s.objects)),
     Kind("placings of sets", "action(place; b3; right, object; b7)", True,
          "D N 2^(N-1) + (D F + B) P + (1 + A) R Q + R S",
-         _placings, enumerate_placings),
+         _placings, lambda s: enumerate_placings(s.objects, s.furniture, s.hands)),
 )  # fmt: skip
 
 

@@ -8,6 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from grounding.corpus.loading import load_corpus
+from grounding.enumeration import enumerate_containers, subsets
 from grounding.errors import SymbolError
 from grounding.geometry.layout import Layout
 from grounding.language.lexicon import known_words, meanings
@@ -19,8 +20,6 @@ from grounding.space import (
     SHORTHANDS,
     Counts,
     SymbolSpace,
-    enumerate_containers,
-    subsets,
     total,
 )
 from grounding.symbols import Cardinal, Container, ObjectColor, ObjectType, Ordinal, parse_symbol
