@@ -1,5 +1,7 @@
 """Candidate grasps of a box: which faces the paddles close on, from which side, how far tilted, with which hand.
 
+Where a neighbour is in the fingers' way the hand opens less; where that does not help either, the grasp is left out.
+
 The tool's z axis points from the palm to the fingertips, its y axis along the closing. A box may lie on any face: the
 closing axis is an edge of the box that is nearly horizontal, the approach comes from above, tilted about the closing
 axis.
@@ -7,13 +9,16 @@ axis.
 
 from __future__ import annotations
 
+import math
+from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 import numpy as np
 
-from motion.errors import InvalidGoal
-from motion.poses import Array, Pose, about
+from motion.errors import GraspUnavailable, InvalidGoal
+from motion.hand import obstacles
+from motion.poses import Pose
 from motion.recipe import recipe
 from motion.scene import Box, Scene
 from motion.state import ARMS
@@ -31,6 +36,7 @@ _OPENING_ROOM = 0.007
 _NARROW_ROOM = 0.003
 _LEAST_ROOM = 0.002
 _LEVEL = 0.26
+_FINGERS_REACH = 0.14
 
 
 @dataclass(frozen=True, eq=False)
@@ -65,7 +71,10 @@ class Grasp:
 
 
 def grasp_candidates(scene: Scene, name: str, arms: tuple[str, ...] = ARMS) -> list[Grasp]:
-    """All grasps of a box that fit the gripper's opening, best first; neighbours and reach are the planner's to check.
+    """All grasps of a box that fit the gripper's opening and leave its neighbours alone, best first.
+
+    For each pair of opposite faces that are level apart and 18 to 55.7 mm wide: both turns of the hand, tilted about
+    the closing axis by each of `TILTS`, with either hand. Reach is for `solve_ik` or `reach_box` to find out.
 
     Args:
         scene: what stands around the robot.
@@ -74,9 +83,13 @@ def grasp_candidates(scene: Scene, name: str, arms: tuple[str, ...] = ARMS) -> l
 
     Raises:
         UnknownBody: there is no such box.
-        InvalidGoal: the box is fixed, or no two opposite faces fit between the paddles.
+        InvalidGoal: the box is fixed, no two opposite faces fit between the paddles, or there is no such arm.
+        GraspUnavailable: the fingers overlap a neighbour in every grasp.
     """
     box = scene.box(name)
+    for arm in arms:
+        if arm not in ARMS:
+            raise InvalidGoal(f"there is no arm {arm!r}; there are 'left' and 'right'", name)
     if box.fixed:
         raise InvalidGoal(f"{name!r} is fixed and cannot be grasped; only loose boxes can", name)
     gripper = recipe().gripper
@@ -90,27 +103,71 @@ def grasp_candidates(scene: Scene, name: str, arms: tuple[str, ...] = ARMS) -> l
             f"{1000 * gripper.closed + 2:.0f} to {1000 * widest:.1f} mm",
             name,
         )
-    grasps = [grasp for arm in arms for axis in fitting for grasp in _about_axis(box, axis, arm)]
-    return sorted(grasps, key=lambda grasp: grasp.cost)
+    grasps = [grasp for axis in fitting for grasp in _about_axis(box, axis, arms)]
+    return sorted(_among(grasps, _neighbours(scene, box)), key=lambda grasp: grasp.cost)
 
 
-def _about_axis(box: Box, axis: int, arm: str) -> Iterator[Grasp]:
+def _neighbours(scene: Scene, box: Box) -> list[Box]:
+    """The boxes near enough to meet the fingers."""
+    near = []
+    for other in scene.boxes:
+        gap = np.abs(other.position - box.position)[:2] - other.half_extents[:2]
+        if other.name != box.name and np.all(gap < _FINGERS_REACH) and other.top > box.bottom + _TIP_CLEARANCE:
+            near.append(other)
+    return near
+
+
+def _among(grasps: list[Grasp], neighbours: list[Box]) -> list[Grasp]:
+    """The grasps whose fingers, opened less if need be, overlap no neighbour.
+
+    Raises:
+        GraspUnavailable: there is none.
+    """
+    if not neighbours or not grasps:
+        return grasps
+    free: list[Grasp] = []
+    conflicts: Counter[tuple[str, str]] = Counter()
+    for arm in sorted({grasp.arm for grasp in grasps}):
+        wide = [grasp for grasp in grasps if grasp.arm == arm]
+        narrow = [grasp.narrowed() for grasp in wide]
+        both = wide + narrow
+        found = obstacles(arm, [grasp.tool for grasp in both], [grasp.opening for grasp in both], neighbours)
+        for one, other, first, second in zip(wide, narrow, found, found[len(wide) :], strict=False):
+            if first is None or second is None:
+                free.append(one if first is None else other)
+            else:
+                conflicts[first] += 1
+    if not free:
+        bodies = conflicts.most_common(1)[0][0]
+        raise GraspUnavailable(
+            f"{grasps[0].box!r} cannot be grasped: in each of {len(grasps)} grasps a finger would overlap a neighbour, "
+            f"mostly {bodies[0]} and {bodies[1]!r}; what stands in the way must be moved first",
+            grasps[0].box,
+            bodies,
+        )
+    return free
+
+
+def _about_axis(box: Box, axis: int, arms: tuple[str, ...]) -> Iterator[Grasp]:
     closing = box.axes[:, axis].copy()
     closing[2] = 0.0
     closing /= np.linalg.norm(closing)
     width = float(box.size[axis])
+    opening = min(recipe().gripper.opened, width + 2 * _OPENING_ROOM)
+    depths = [_depth(box, abs(tilt)) for tilt in TILTS]
+    down = np.array([0.0, 0.0, -1.0])
     for sign in (1.0, -1.0):
         y = sign * closing
-        z = np.array([0.0, 0.0, -1.0])
-        level = np.column_stack([np.cross(y, z), y, z])
-        for tilt in TILTS:
-            rotation = about(y, tilt) @ level
-            depth = _depth(box, abs(tilt))
+        x = np.cross(y, down)
+        for tilt, depth in zip(TILTS, depths, strict=True):
             if depth is None:
                 continue
+            cosine, sine = math.cos(tilt), math.sin(tilt)
+            rotation = np.column_stack([cosine * x - sine * down, y, cosine * down + sine * x])
             tool = Pose.of(rotation, box.position + depth * rotation[:, 2])
-            opening = min(recipe().gripper.opened, width + 2 * _OPENING_ROOM)
-            yield Grasp(arm, box.name, tool, tilt, width, opening, _cost(box, arm, rotation, tilt))
+            turn = math.acos(min(1.0, max(-1.0, -float(rotation[0, 0]))))
+            for arm in arms:
+                yield Grasp(arm, box.name, tool, tilt, width, opening, _cost(box, arm, turn, tilt))
 
 
 def _depth(box: Box, tilt: float) -> float | None:
@@ -123,9 +180,8 @@ def _depth(box: Box, tilt: float) -> float | None:
     return depth if depth > -half / 2 else None
 
 
-def _cost(box: Box, arm: str, rotation: Array, tilt: float) -> float:
+def _cost(box: Box, arm: str, turn: float, tilt: float) -> float:
     """Prefers the hand on the box's side, a hand that points down, and a wrist turned little from home."""
     side = 1.0 if arm == "left" else -1.0
     across = max(0.0, 0.05 - side * float(box.position[1]))
-    turn = float(np.arccos(np.clip(-rotation[0, 0], -1, 1)))
     return 4.0 * across + 0.6 * abs(tilt) + 0.25 * turn
