@@ -28,10 +28,13 @@ What there is:
   retreat, home.
 - `plan_transport(...)`, like `plan_place`, gives one plan or, where no single hand reaches both places, two: one hand
   sets the box down in the middle, the other takes it on.
-- `Simulator(scene, state=None)`: `execute(plan, on_step=None)` gives an `Execution` (`phases`, `holding`, `contacts`,
-  `tracking_error`, `duration`); `hold(seconds, on_step=None)`, `settle(seconds=2.0)`; `poses()`, `scene()` (as it is
+- `Simulator(scene, state=None, faults=())`, with faults such as `Slip()`, `Push("b1", (0.02, 0))` and `Jam("left")`:
+  `execute(plan, on_step=None)` gives an `Execution` (`phases`, `holding`, `contacts`, `tracking_error`, `duration`);
+  `hold(seconds, on_step=None)`, `settle(seconds=2.0)`; `poses()`, `scene()` (as it is
   now, for the next plan), `state()` (a `RobotState`, ditto), `gripper_width(arm)`, `holding(arm)`, `contacts()`,
   `tracking_error(arm)`, `joints(arm)`, `tool_pose(arm)`, `time`.
+- `Sensor(noise, turn)`: what a camera tells of where the boxes are; `look(simulator, rng, frames)` is the mean of so
+  many frames.
 - `Renderer(scene, width, height)`: `render(simulator=None, camera="front", markers=())` gives (height, width, 3) uint8;
   `project(points, camera)` gives pixels for labels; cameras "front", "robot", "top", "side", or a `Camera` of one's
   own; `Marker(position, size, color, shape)`. `rendering_available()` says whether OpenGL can be started.
@@ -58,6 +61,7 @@ from motion.errors import (
     UnknownBody,
     UnreachableTarget,
 )
+from motion.faults import Fault, Jam, Push, Slip
 from motion.grasps import Grasp, grasp_candidates
 from motion.ik import IkSolution, solve_ik
 from motion.planner import plan_home, plan_pick, plan_place
@@ -66,6 +70,7 @@ from motion.poses import Pose
 from motion.rendering import CAMERAS, Camera, Marker, Renderer, rendering_available
 from motion.robot import Robot, load_robot
 from motion.scene import Box, Scene
+from motion.sensing import Sensor
 from motion.simulator import Execution, PhaseRecord, Simulator
 from motion.state import RobotState
 from motion.timing import Trajectory
@@ -76,11 +81,13 @@ __all__ = [
     "Box",
     "Camera",
     "Execution",
+    "Fault",
     "Grasp",
     "GraspUnavailable",
     "IkSolution",
     "InvalidGoal",
     "InvalidScene",
+    "Jam",
     "LimitViolation",
     "Marker",
     "MotionError",
@@ -90,14 +97,17 @@ __all__ = [
     "Plan",
     "PlanInCollision",
     "Pose",
+    "Push",
     "Renderer",
     "RenderingUnavailable",
     "Robot",
     "RobotState",
     "RobotUnavailable",
     "Scene",
+    "Sensor",
     "SimulationDiverged",
     "Simulator",
+    "Slip",
     "Trajectory",
     "UnknownBody",
     "UnreachableTarget",

@@ -8,16 +8,18 @@ held block.
 from __future__ import annotations
 
 import copy
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from types import TracebackType
 from typing import Any
 
 import numpy as np
 
+from motion.braking import braked
 from motion.compiled import scene_model
 from motion.engine import mujoco
 from motion.errors import InvalidGoal, SimulationDiverged
+from motion.faults import Fault, Injector
 from motion.plans import Phase, Plan
 from motion.poses import Array, Pose
 from motion.recipe import recipe
@@ -33,6 +35,8 @@ _STILL = 2e-3
 _TOUCHING = 1e-4
 
 StepCallback = Callable[["Simulator"], None]
+Until = Callable[["Simulator"], str | None]
+"""Looked at every 10 ms of a phase; what it returns, unless None, is why the phase is left."""
 
 
 @dataclass(frozen=True)
@@ -45,6 +49,7 @@ class PhaseRecord:
         tracking_error: largest deviation of a joint from the plan, radians.
         gripper_width: measured opening at its end, metres.
         contacts: pairs of bodies that touched although neither the fingers on the target nor boxes among themselves.
+        left: why the phase was left before its end, or None.
     """
 
     name: str
@@ -52,6 +57,7 @@ class PhaseRecord:
     tracking_error: float
     gripper_width: float
     contacts: tuple[tuple[str, str], ...]
+    left: str | None = None
 
 
 @dataclass(frozen=True)
@@ -88,16 +94,23 @@ class Simulator:
     Args:
         scene: what stands around the robot.
         state: where the robot is at the beginning; home by default.
+        faults: what shall go wrong.
+
+    Raises:
+        InvalidGoal: a fault names a box or an arm that there is not.
     """
 
-    def __init__(self, scene: Scene, state: RobotState | None = None) -> None:
+    def __init__(self, scene: Scene, state: RobotState | None = None, faults: Sequence[Fault] = ()) -> None:
         self._scene = scene
         self._indices = scene_model(scene)
+        self._injector = Injector(faults, tuple(self._indices.box_qpos)) if faults else None
         self._model: Any = self._indices.model
         self._data: Any = mujoco.MjData(self._model)
         self._awake: Any = copy.copy(self._model)
         self._awake.opt.enableflags = 0
         self._scratch: Any = mujoco.MjData(self._awake)
+        if faults:  # what sleeps would not notice that it is pushed
+            self._model = self._awake
         state = RobotState.home() if state is None else state
         self._indices.write_boxes(self._data, scene)
         self._indices.write_robot(self._data, state)
@@ -149,6 +162,11 @@ class Simulator:
         widths = {arm: self.gripper_width(arm) for arm in ARMS}
         held = {arm: names[0] for arm in ARMS if (names := self.holding(arm))}
         return RobotState(self._reference["left"], self._reference["right"], widths, held)
+
+    @property
+    def happened(self) -> tuple[Fault, ...]:
+        """The injected faults that have begun so far."""
+        return () if self._injector is None else self._injector.happened
 
     def joints(self, arm: str) -> Array:
         """(7,) measured joints, radians."""
@@ -232,7 +250,14 @@ class Simulator:
         self._check()
         return not dofs or bool(np.max(np.abs(self._data.qvel[dofs])) < _STILL)
 
-    def run_phase(self, arm: str, target: str | None, phase: Phase, on_step: StepCallback | None = None) -> PhaseRecord:
+    def run_phase(
+        self,
+        arm: str,
+        target: str | None,
+        phase: Phase,
+        on_step: StepCallback | None = None,
+        until: Until | None = None,
+    ) -> PhaseRecord:
         """Carries out one phase of a plan, which begins where the robot is now.
 
         Args:
@@ -240,27 +265,38 @@ class Simulator:
             target: the plan's target.
             phase: the phase.
             on_step: as for `execute`.
+            until: gives a reason to stop on the way, if there is one; the arm then brakes on the path of the phase.
 
         Raises:
             SimulationDiverged: the physics broke down.
         """
         trajectory = phase.trajectory
-        steps = len(trajectory.positions) - 1
-        before, error = self._width[arm], 0.0
+        steps = whole = len(trajectory.positions) - 1
+        before, error, k, offset = self._width[arm], 0.0, 0, 0
         contacts: set[tuple[str, str]] = set()
-        for k in range(1, steps + 1):
+        reason: str | None = None
+        while k < steps:
+            k += 1
             self._reference[arm] = trajectory.positions[k]
-            self._width[arm] = before + (phase.gripper - before) * k / steps
+            if reason is None:
+                self._width[arm] = before + (phase.gripper - before) * k / whole
+            if self._injector is not None:
+                held = self.holding(arm)
+                self._injector.begin(arm, phase.name, (offset + k) / whole, self.time, held)
             self._command(arm, trajectory.velocities[k], trajectory.accelerations[k])
             self._step(on_step)
             error = max(error, self.tracking_error(arm))
             if k % _OBSERVE_EVERY == 0:
                 contacts |= self._unintended(arm, target, phase)
-        self._width[arm] = phase.gripper
+                reason = until(self) if until is not None and reason is None else reason
+                if reason is not None and offset == 0:
+                    trajectory = braked(trajectory, k, recipe().limits)
+                    steps, offset, k = len(trajectory.positions) - 1, k, 0
+        if reason is None:
+            self._width[arm] = phase.gripper
         self._check()
-        return PhaseRecord(
-            phase.name, steps * trajectory.period, error, self.gripper_width(arm), tuple(sorted(contacts))
-        )
+        seconds = (offset + k) * trajectory.period
+        return PhaseRecord(phase.name, seconds, error, self.gripper_width(arm), tuple(sorted(contacts)), reason)
 
     # How.
 
@@ -280,9 +316,14 @@ class Simulator:
                 self._acceleration[indices.arm_dof[arm]] = 0.0
                 lead = lead + (self._kv * velocity + self._torque[indices.arm_dof[arm]]) / self._kp
             data.ctrl[indices.arm_ctrl[arm]] = self._reference[arm] + lead
-            data.ctrl[indices.gripper_ctrl[arm]] = (self._width[arm] - closed) / 2
+            width = self._width[arm]
+            if self._injector is not None:
+                width = self._injector.width(arm, width, self.time)
+            data.ctrl[indices.gripper_ctrl[arm]] = (width - closed) / 2
 
     def _step(self, on_step: StepCallback | None) -> None:
+        if self._injector is not None:
+            self._injector.push(self._indices, self._data, self._model.opt.timestep)
         mujoco.mj_step(self._model, self._data)
         if on_step is not None:
             on_step(self)
