@@ -17,7 +17,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from motion.errors import GraspUnavailable, InvalidGoal
-from motion.hand import obstacles
+from motion.hand import Pair, obstacles
 from motion.poses import Pose
 from motion.recipe import recipe
 from motion.scene import Box, Scene
@@ -126,17 +126,15 @@ def _among(grasps: list[Grasp], neighbours: list[Box]) -> list[Grasp]:
     if not neighbours or not grasps:
         return grasps
     free: list[Grasp] = []
-    conflicts: Counter[tuple[str, str]] = Counter()
+    conflicts: Counter[Pair] = Counter()
     for arm in sorted({grasp.arm for grasp in grasps}):
         wide = [grasp for grasp in grasps if grasp.arm == arm]
-        narrow = [grasp.narrowed() for grasp in wide]
-        both = wide + narrow
-        found = obstacles(arm, [grasp.tool for grasp in both], [grasp.opening for grasp in both], neighbours)
-        for one, other, first, second in zip(wide, narrow, found, found[len(wide) :], strict=False):
-            if first is None or second is None:
-                free.append(one if first is None else other)
-            else:
-                conflicts[first] += 1
+        met = _obstacles(arm, wide, neighbours)
+        free += [grasp for grasp, pair in zip(wide, met, strict=True) if pair is None]
+        narrow = [grasp.narrowed() for grasp, pair in zip(wide, met, strict=True) if pair is not None]
+        still = _obstacles(arm, narrow, neighbours)
+        free += [grasp for grasp, pair in zip(narrow, still, strict=True) if pair is None]
+        conflicts.update(pair for pair in still if pair is not None)
     if not free:
         bodies = conflicts.most_common(1)[0][0]
         raise GraspUnavailable(
@@ -146,6 +144,10 @@ def _among(grasps: list[Grasp], neighbours: list[Box]) -> list[Grasp]:
             bodies,
         )
     return free
+
+
+def _obstacles(arm: str, grasps: list[Grasp], neighbours: list[Box]) -> list[Pair | None]:
+    return obstacles(arm, [grasp.tool for grasp in grasps], [grasp.opening for grasp in grasps], neighbours)
 
 
 def _about_axis(box: Box, axis: int, arms: tuple[str, ...]) -> Iterator[Grasp]:
