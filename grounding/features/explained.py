@@ -86,6 +86,7 @@ GOALS = (
     _form("to a possible region", "to the region of one of several objects of the destination phrase",
           "to a possible region"),
     _form("beside itself", "to what lies in the direction said, from where it is", "beside itself"),
+    _form("beside itself unsaid", "to what lies in a direction from where it is, and none is said", "beside itself unsaid"),
     _form("nowhere", "to no place, and none is said", "nowhere"),
     _form("nowhere though said", "to no place, though one is said", "nowhere though said"),
     _form("to a region unsaid", "to a region that no phrase speaks of", "to a region unsaid"),

@@ -11,7 +11,7 @@ from grounding.features import FAMILIES
 from grounding.features.explained import FACTS, FITS, GOALS, HOWS, ROLES, SETS, TARGETS, explain_fact, explain_role
 from grounding.features.forms import Form, as_is, first_of, nested, one_of
 from grounding.geometry.layout import Layout
-from grounding.learning.examples import annotated, collect
+from grounding.learning.examples import PROPOSED, Negatives, annotated, collect
 
 NAMES = [family.name for family in FAMILIES]
 TELL = (
@@ -32,12 +32,13 @@ def test_every_fact_and_role_of_the_shipped_weights_is_explained():
     assert not missing, told(missing)
 
 
-def test_every_fact_and_role_that_the_program_makes_now_is_explained():
+@pytest.mark.parametrize("negatives", [PROPOSED, Negatives(4, 8)], ids=["proposed", "all of Γ"])
+def test_every_fact_and_role_that_the_program_makes_now_is_explained(negatives):
     """Of a sample of the treebank: weights may be older than the features."""
     corpus = load_corpus(None)
     layouts = {name: Layout(world) for name, world in corpus.worlds.items()}
     sample = list(corpus.examples)[::100]
-    sets, _ = collect(annotated(e.tree, e.groundings, layouts[e.world]) for e in sample)
+    sets, _ = collect((annotated(e.tree, e.groundings, layouts[e.world]) for e in sample), negatives)
     missing = set()
     checked = 0
     for family, data in sets.items():
@@ -73,7 +74,8 @@ def test_families_of_forms_are_those_of_the_factors():
 @pytest.mark.parametrize(
     "name",
     ["", "wug", "word=", "nth[mod.in|head|sixth]", "have wug", "row deviation", "is spatial", "mod.relation=wug",
-     "composed wug(A)", "composed head(X)", "shape=NP:wug", "member wug", "circle deviation x", "all own|own|own", "12 seen"],
+     "composed wug(A)", "composed head(X)", "shape=NP:wug", "member wug", "circle deviation x",
+     "all own|own|own", "12 seen"],
 )  # fmt: skip
 def test_what_has_no_form_stays_unexplained(name):
     assert explain_fact(name) is None
