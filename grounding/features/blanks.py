@@ -86,6 +86,15 @@ _SYMBOLS = {
     "Container": "a kind of container",
     "Action": "a kind of action",
 }
+_MEASURES = {
+    "likelihood": "share of the members that lie on the model",
+    "fit": "distance of the members from the model, over their gaps",
+    "coherence": "evenness of the gaps",
+    "separation": "distance to the nearest other object, over the largest gap",
+    "ordering": "share of members among all that stands where the shape is",
+    "orientation": "angle of the principal axis to the kind's own",
+    "distinction": "distance of the nearest other object from the model",
+}
 _TOLD = "[dinkCRAP!FB]*[oO]?"
 _PART = f"(?:{'|'.join(_PARTS)})"
 _COMPOSITION = rf"{_PART}\({_TOLD}\)(?:\+{_PART}\({_TOLD}\))*"
@@ -129,6 +138,8 @@ BLANKS: dict[str, Blank] = {
     "few": one_of({"0": "none", "1": "one", "2": "several"}),
     "ref": one_of(_REFERENCES),
     "list": one_of(_LISTS),
-    "count": one_of({"2": "two", "3": "three", "4": "four or more"}),
+    "count": one_of({"0": "no", "1": "one", "2": "two", "3": "three", "4": "four or more"}),
+    "measure": one_of(_MEASURES),
+    "kernel": one_of({"linear": "linear", "se": "squared-exponential"}),
     "bin": Blank(r"\d+", str),
 }

@@ -172,6 +172,8 @@ ROLES: tuple[Form, ...] = (
     _form("unwanted members", "some members have not the type or colour that is said", "unwanted members",
           ("container",)),
     _form("<kind> of <count>", "a <kind> of <count> members", "row of 3", ("container",)),
+    _form("<kind> <measure> <kernel> <bin>", "how good a <kind> it is: <measure>; <kernel> kernel, bin <bin>",
+          "row fit se 3", ("container",)),
     _form("<kind> deviation <bin>", "a <kind>; how far members stray from the shape, over their gaps: step <bin> of "
           "0 to 4", "row deviation 2", ("container",)),
     _form("<kind> regularity <bin>", "a <kind>; how even the gaps are: step <bin> of 0 to 3", "row regularity 3",
