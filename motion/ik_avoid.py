@@ -12,7 +12,7 @@ import copy
 import mink
 import numpy as np
 
-from motion.collisions import CollisionChecker, Near, Rules
+from motion.collisions import CLOSE, CollisionChecker, Near, Rules
 from motion.compiled import scene_model
 from motion.engine import mujoco
 from motion.ik_mink import differential_ik
@@ -155,6 +155,8 @@ class ContactLimit(mink.Limit):
         other = names[second if self._robot[first] else first]
         if hand and other in rules.touching:
             return None
+        if hand and other in rules.close:
+            return CLOSE
         return rules.hand_clearance if hand and other in self._indices.box_geoms else rules.clearance
 
     def _speed(self, geom: int, point: Array, normal: Array) -> Array:
