@@ -6,6 +6,8 @@ but a few sets and regions came about in no way: those placings are counted in c
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from grounding.features import acting
@@ -39,7 +41,9 @@ def every_action(scope: Scope, proposals: Listed) -> Space:
     beside = set(scope.source("dest").relations) if any(whence == _BESIDE for _, whence in found) else set()
     said = {action.kind for action in scope.own.actions}
     blocks = [_taking(layout, kind, kind in said, targets, nowhere) for kind in TAKING_KINDS]
-    blocks.append(_beside(layout, PLACE in said, targets, beside))
+    blocks.append(_beside(layout, 1, PLACE in said, targets, [relation in beside for relation in DIRECTIONS]))
+    if layout.size > 1:
+        blocks.append(_beside(layout, 2, PLACE in said, targets, [PAIRING in beside]))
     listed = with_others(proposals, _between_named(layout, PLACE in said, targets, regions))
     return make_space(listed, blocks, _placings(layout, PLACE in said, targets, list(regions), regions, listed))
 
@@ -77,30 +81,27 @@ def _taking(layout: Layout, kind: str, said: bool, targets: Named, nowhere: str)
     return Block(masks.shape, slots, lambda index: Action(kind, layout.names(int(masks[index]))), find)
 
 
-def _beside(layout: Layout, said: bool, targets: Named, relations: set[str]) -> Block:
-    """Placing sets in regions of their own; what lone things cannot be between is no symbol."""
-    masks = subsets(layout, 1)
+def _beside(layout: Layout, least: int, said: bool, targets: Named, relations: Sequence[bool]) -> Block:
+    """Placing sets of so many things and more in regions of their own: in each direction, or between themselves."""
+    masks = subsets(layout, least)
+    names = DIRECTIONS if least == 1 else (PAIRING,)
     ways, of = _hows(layout, masks, targets)
-    pairs = [(relation, place) for relation in SPATIAL_REFERENCES for place in range(len(masks))
-             if relation != PAIRING or masks[place] & (masks[place] - 1)]  # fmt: skip
-    whences = (f"{_BESIDE} unsaid", _BESIDE)
-    rows = [_roles(PLACE, said, how, whence) for whence in whences for how in ways]
-    which = np.array([len(ways) * (relation in relations) + of[place] for relation, place in pairs])
+    rows = [_roles(PLACE, said, how, whence) for whence in (f"{_BESIDE} unsaid", _BESIDE) for how in ways]
+    which = len(ways) * np.array(relations, dtype=int)[:, None] + of[None]
     slots: tuple[Slot, ...] = tuple(make_slot([row[i] for row in rows], which) for i in range(len(rows[0])))
-    places = {pair: i for i, pair in enumerate(pairs)}
 
     def symbol(index: int) -> Symbol:
-        relation, place = pairs[index]
-        names = layout.names(int(masks[place]))
-        return Action(PLACE, names, Region(relation, "object", names))
+        relation, place = divmod(index, len(masks))
+        objects = layout.names(int(masks[place]))
+        return Action(PLACE, objects, Region(names[relation], "object", objects))
 
     def find(symbol: Symbol) -> int | None:
         if not isinstance(symbol, Action) or symbol.kind != PLACE or symbol.destination is None:
             return None
         region, place = symbol.destination, place_of(masks, layout, symbol.objects)
-        if place is None or region.kind != "object" or region.objects != symbol.objects:
+        if place is None or region.kind != "object" or region.objects != symbol.objects or region.relation not in names:
             return None
-        return places.get((region.relation, place))
+        return names.index(region.relation) * len(masks) + place
 
     return Block(which.shape, slots, symbol, find)
 

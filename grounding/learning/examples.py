@@ -18,6 +18,7 @@ from grounding.features import FAMILIES, STAGES, Scope, family_of
 from grounding.features.context import context_facts
 from grounding.features.exhaustive import every
 from grounding.geometry.layout import Layout
+from grounding.inference.engine import context_key
 from grounding.language.tree import Phrase
 from grounding.symbols import Symbol
 
@@ -59,32 +60,44 @@ class Negatives:
 PROPOSED = Negatives()
 
 
-def collect(
-    examples: Iterable[Annotated], negatives: Negatives = PROPOSED
-) -> tuple[dict[str, TrainingSet], Coverage]:
+def collect(examples: Iterable[Annotated], negatives: Negatives = PROPOSED) -> tuple[dict[str, TrainingSet], Coverage]:
     """The training rows of all families."""
     sets = {family.name: TrainingSet() for family in FAMILIES}
     coverage = Coverage()
     rng = np.random.default_rng(negatives.seed)
+    cases: dict[object, _Case] = {}
     for tree, groundings, layout in examples:
-        sample = negatives.sample if layout.size <= negatives.things else None
         for phrase in tree.preorder():
-            _collect_phrase(phrase, groundings, layout, sets, coverage, sample, rng)
+            children = tuple(groundings[id(child)] for child in phrase.phrases)
+            case = _Case(phrase, children, groundings[id(phrase)], layout)
+            cases.setdefault((context_key(phrase, children), case.gold, id(layout)), case).count += 1
+    for case in cases.values():
+        sample = negatives.sample if case.layout.size <= negatives.things else None
+        _collect_case(case, sets, coverage, sample, rng)
     return sets, coverage
 
 
-def _collect_phrase(
-    phrase: Phrase,
-    groundings: Mapping[int, frozenset[Symbol]],
-    layout: Layout,
+@dataclass
+class _Case:
+    """A phrase in a world with its annotation, and how often it occurs."""
+
+    phrase: Phrase
+    children: tuple[frozenset[Symbol], ...]
+    gold: frozenset[Symbol]
+    layout: Layout
+    count: int = 0
+
+
+def _collect_case(
+    case: _Case,
     sets: Mapping[str, TrainingSet],
     coverage: Coverage,
     sample: int | None,
     rng: np.random.Generator,
 ) -> None:
-    gold = groundings[id(phrase)]
+    gold, times = case.gold, case.count
     by_stage = [frozenset(s for s in gold if _STAGE_OF[family_of(s)] == number) for number in range(len(STAGES))]
-    scope = Scope(phrase, [groundings[id(child)] for child in phrase.phrases], layout)
+    scope = Scope(case.phrase, case.children, case.layout)
     for number, families in enumerate(STAGES):
         if number == 1:
             scope = scope.with_concrete(by_stage[0])
@@ -93,19 +106,18 @@ def _collect_phrase(
         facts = context_facts(scope)
         for family in families:
             wanted = {s for s in gold if family_of(s) == family.name}
+            rows: list[tuple[Sequence[str], bool, float]] = []
             if sample is None:
-                proposals = family.propose(scope)
-                sets[family.name].add(facts, [(roles, symbol in gold) for symbol, roles in proposals])
+                listed = proposals = family.propose(scope)
             else:
                 space = every(scope, family.name).listing(sorted(wanted, key=str))
-                proposals = space.listed[: space.proposed]
-                rows: list[tuple[list[str], bool, float]] = [(roles, s in gold, 1.0) for s, roles in space.listed]
-                rows += [(roles, False, count) for roles, count in space.unlisted(sample, rng)]
-                sets[family.name].add_counted(facts, rows)
+                listed, proposals = space.listed, space.listed[: space.proposed]
+                rows = [(roles, False, times * count) for roles, count in space.unlisted(sample, rng)]
+            sets[family.name].add_counted(facts, [*((roles, s in gold, times) for s, roles in listed), *rows])
             found = wanted & {symbol for symbol, _ in proposals}
-            coverage.annotated[family.name] += len(wanted)
-            coverage.proposed[family.name] += len(found)
-            coverage.missing += [(phrase.text, str(s)) for s in sorted(wanted - found, key=str)]
+            coverage.annotated[family.name] += times * len(wanted)
+            coverage.proposed[family.name] += times * len(found)
+            coverage.missing += times * [(case.phrase.text, str(s)) for s in sorted(wanted - found, key=str)]
 
 
 def learn(
