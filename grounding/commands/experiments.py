@@ -38,12 +38,16 @@ def add_arguments(subparsers: Any) -> None:
     accuracy.add_argument("--by", choices=(*BY, "both"), default="random",
                           help="hold out instructions at random, or all of some worlds (default: random)")  # fmt: skip
     accuracy.add_argument("--penalty", type=_positive, default=0.3, help="strength of the L2 regularisation")
-    _add_inference(accuracy, exhaustive=7)
+    _add_inference(accuracy)
+    accuracy.add_argument("--negatives", type=_whole, metavar="N",
+                          help="in training, all of the space of symbols is negative in worlds of up to so many blocks, "
+                               "and what is proposed in others (default: 0 for adcg alone, else as "
+                               "--exhaustive-blocks)")  # fmt: skip
     accuracy.add_argument("--jobs", type=_count, default=1, metavar="N", help="processes at a time (default: 1)")
 
     efficiency = verbs.add_parser("efficiency", help="time, evaluations and memory by number of blocks (Table I)")
     _add_common(efficiency)
-    _add_inference(efficiency, exhaustive=12)
+    _add_inference(efficiency)
     efficiency.add_argument("--blocks", type=_counts, default="20,50,100,200", metavar="N,N,...",
                             help="sizes of composed worlds beside the corpus's (default: 20,50,100,200)")  # fmt: skip
     efficiency.add_argument("--instructions", type=_count, default=40, metavar="N",
@@ -102,7 +106,7 @@ def _accuracy(args: argparse.Namespace, corpus: Corpus) -> None:
     check_engines(args.inference)
     settings = Settings(
         args.inference, PARSES if args.parse == "both" else (args.parse,), args.threshold, args.penalty,
-        exhaustive=args.exhaustive_blocks,
+        exhaustive=args.exhaustive_blocks, negatives=_negatives(args),
     )  # fmt: skip
     splits: list[Split] = []
     for by in BY if args.by == "both" else (args.by,):
@@ -146,17 +150,24 @@ def _efficiency(args: argparse.Namespace, corpus: Corpus) -> None:
 
 
 def _figures(args: argparse.Namespace, corpus: Corpus) -> None:
-    from grounding.experiments.figures import choose, corpus_figures, own_figures
+    from grounding.experiments.figures import CANDIDATES, choose, corpus_figures, own_figures
     from grounding.experiments.progress import Progress
     from grounding.experiments.sheets import draw_figure
 
-    figures = (*corpus_figures(corpus, args.id or choose(corpus, args.count)), *own_figures())
+    ids = args.id or choose(corpus, CANDIDATES * args.count)
+    figures = (*corpus_figures(corpus, ids, None if args.id else args.count), *own_figures())
     progress = Progress(len(figures), "figures")
     for figure in figures:
         path = args.output / f"{figure.name}.png"
         draw_figure(figure).save(path)
         progress.step(figure.name)
         print(path)
+
+
+def _negatives(args: argparse.Namespace) -> int:
+    from grounding.experiments.engines import needed_negatives
+
+    return needed_negatives(args.inference, args.exhaustive_blocks) if args.negatives is None else args.negatives
 
 
 def _begun(count: int, done: int) -> Callable[[str], None]:
@@ -190,19 +201,18 @@ def _add_common(parser: argparse.ArgumentParser, plots: bool = True) -> None:
     parser.add_argument("--corpus", type=Path, required=True, metavar="PATH", help=_CORPUS)
     parser.add_argument("--output", type=Path, required=True, metavar="DIR", help="where results are written")
     parser.add_argument("--corrections", type=Path, metavar="FILE", help="corrections of annotations, applied first")
-    parser.add_argument("--seed", type=_seed, default=0, metavar="N", help="of all chance (default: 0)")
+    parser.add_argument("--seed", type=_whole, default=0, metavar="N", help="of all chance (default: 0)")
     parser.add_argument("--keep-going", action="store_true",
                         help="list all that is refused and use the rest; the exit code is 2 all the same")  # fmt: skip
     if plots:
         parser.add_argument("--no-plots", dest="plots", action="store_false", help="write the tables only")
 
 
-def _add_inference(parser: argparse.ArgumentParser, exhaustive: int) -> None:
+def _add_inference(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--inference", type=_names, default="adcg", metavar="NAME,...",
                         help="methods, with commas between them: adcg, dcg, exact, g3 (default: adcg)")  # fmt: skip
-    parser.add_argument("--exhaustive-blocks", type=_count, default=exhaustive, metavar="N",
-                        help="run other methods than adcg on worlds of at most so many blocks "
-                             f"(default: {exhaustive})")  # fmt: skip
+    parser.add_argument("--exhaustive-blocks", type=_count, default=12, metavar="N",
+                        help="run other methods than adcg on worlds of at most so many blocks (default: 12)")  # fmt: skip
 
 
 def _names(text: str) -> tuple[str, ...]:
@@ -220,7 +230,7 @@ def _counts(text: str) -> tuple[int, ...]:
     return tuple(_count(part.strip()) for part in text.split(",") if part.strip())
 
 
-def _seed(text: str) -> int:
+def _whole(text: str) -> int:
     if not text.isdecimal():
         raise argparse.ArgumentTypeError(f"a whole number from 0, not {text!r}")
     return int(text)

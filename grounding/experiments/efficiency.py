@@ -11,16 +11,16 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from grounding.corpus.format import Corpus
+from grounding.experiments.engines import ADAPTIVE, needed_negatives
 from grounding.experiments.large_worlds import compose_large
 from grounding.experiments.paper import TABLE_I, is_papers
 from grounding.experiments.processes import Task, in_processes, peak_memory
 from grounding.experiments.store import fingerprint
 from grounding.experiments.tables import text_table, write_csv, write_json
 from grounding.experiments.timing import Cost, measure_cost
-from grounding.experiments.trial import ADAPTIVE
 from grounding.factors import FactorModel
 from grounding.geometry.layout import Layout
-from grounding.learning import learn
+from grounding.learning import Negatives, learn
 from grounding.learning.examples import annotated
 
 PENALTY = 0.3
@@ -63,7 +63,8 @@ def measure_efficiency(
         seed: of the composed worlds and of the choice of instructions.
         begun: told the number of measurements; gives what is told of each.
     """
-    [(_, (model, training))] = in_processes([Task("training", _learned, (corpus,))], preload=_PRELOADED)
+    negatives = needed_negatives(tuple(engines), exhaustive)
+    [(_, (model, training))] = in_processes([Task("training", _learned, (corpus, negatives))], preload=_PRELOADED)
     cases = [*_corpus_cases(corpus, seed), *(_composed_case(corpus, n, instructions, seed) for n in blocks)]
     tasks = [
         Task(f"{name} at {size} blocks", measure_cost, (model, name, composed, worlds, pairs, budget))
@@ -166,10 +167,11 @@ def report(results: Mapping[str, Any]) -> str:
     return "\n\n".join([*parts, "\n".join(lines)]) if lines else "\n\n".join(parts)
 
 
-def _learned(corpus: Corpus) -> tuple[FactorModel, dict[str, float | None]]:
+def _learned(corpus: Corpus, negatives: int) -> tuple[FactorModel, dict[str, float | None]]:
     layouts = {name: Layout(world) for name, world in corpus.worlds.items()}
     start = time.perf_counter()
-    model = learn([annotated(e.tree, e.groundings, layouts[e.world]) for e in corpus], PENALTY)
+    examples = [annotated(e.tree, e.groundings, layouts[e.world]) for e in corpus]
+    model = learn(examples, PENALTY, negatives=Negatives(negatives))
     return model, {"seconds": time.perf_counter() - start, "megabytes": peak_memory()}
 
 

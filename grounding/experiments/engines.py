@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import Any
-
 from grounding.experiments.errors import ExperimentError
 from grounding.factors import FactorModel
 from grounding.inference import ENGINES, Engine
 
-__all__ = ["Engine", "check_engines", "make_engine"]
+__all__ = ["ADAPTIVE", "Engine", "check_engines", "make_engine", "needed_negatives"]
+
+ADAPTIVE = "adcg"  # the method whose cost does not forbid large worlds
 
 
 def check_engines(names: tuple[str, ...]) -> None:
@@ -23,7 +22,19 @@ def check_engines(names: tuple[str, ...]) -> None:
             raise ExperimentError(f"no inference {name!r}; there are {', '.join(ENGINES)}")
 
 
-def make_engine(name: str, model: FactorModel, options: Mapping[str, Any] | None = None) -> Engine:
+def make_engine(name: str, model: FactorModel) -> Engine:
     """An engine with the factors of a model."""
-    engine: Engine = ENGINES[name](model, **(options or {}))
+    engine: Engine = ENGINES[name](model)
     return engine
+
+
+def needed_negatives(names: tuple[str, ...], exhaustive: int) -> int:
+    """In worlds of how many blocks all of Γ has to be negative in training, for these engines.
+
+    Engines that judge symbols which ADCG never proposes need factors that have learned from these.
+
+    Args:
+        names: of engines.
+        exhaustive: blocks of the largest world that engines other than ADCG are run on.
+    """
+    return exhaustive if set(names) - {ADAPTIVE} else 0

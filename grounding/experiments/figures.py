@@ -24,6 +24,7 @@ from grounding.symbols import Container
 from grounding.world import load_world
 
 PENALTY = 0.3
+CANDIDATES = 3  # so many examples are grounded for each that is drawn
 
 
 class OwnInstruction(NamedTuple):
@@ -65,12 +66,13 @@ def choose(corpus: Corpus, count: int) -> tuple[str, ...]:
     return tuple(example.id for example in chosen)
 
 
-def corpus_figures(corpus: Corpus, ids: Sequence[str]) -> tuple[Figure, ...]:
+def corpus_figures(corpus: Corpus, ids: Sequence[str], count: int | None = None) -> tuple[Figure, ...]:
     """Figures of examples of a corpus.
 
     Args:
         corpus: that they are in; those of other words are learned from.
         ids: of the examples.
+        count: so many are drawn, those whose root is grounded as annotated and that have most to show; None: all.
 
     Raises:
         CorpusError: there is no such example.
@@ -83,7 +85,7 @@ def corpus_figures(corpus: Corpus, ids: Sequence[str]) -> tuple[Figure, ...]:
     if not rest:
         raise ExperimentError("no instruction is left to learn from but those that are to be drawn")
     engine = make_engine("adcg", learn([annotated(e.tree, e.groundings, layouts[e.world]) for e in rest], PENALTY))
-    figures = []
+    figures: list[tuple[tuple[bool, int], Figure]] = []
     for example in chosen:
         best = engine.infer(example.tree, layouts[example.world]).hypotheses[0]
         panels = telling_panels(phrases_of(example.tree, best), corpus.worlds[example.world])
@@ -93,8 +95,11 @@ def corpus_figures(corpus: Corpus, ids: Sequence[str]) -> tuple[Figure, ...]:
         note = f"{example.id}, {example.world}: learned from {len(rest)} instructions of other words"
         note += f", {'some' if known else 'none'} of them in this world"
         note += f"; {right} of {len(example.groundings)} phrases as annotated"
-        figures.append(Figure(example.id, example.instruction, corpus.worlds[example.world], panels, note))
-    return tuple(figures)
+        figure = Figure(example.id, example.instruction, corpus.worlds[example.world], panels, note)
+        figures.append(((parts[0] != example.groundings[0], -len(panels)), figure))
+    if count is not None:
+        figures = sorted(figures, key=lambda pair: pair[0])[:count]
+    return tuple(figure for _, figure in figures)
 
 
 def own_figures() -> tuple[Figure, ...]:

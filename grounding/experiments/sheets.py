@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 from PIL import Image
 
 from grounding.experiments.panels import Figure, Panel
-from grounding.pictures import Canvas, draw_plan
+from grounding.pictures import Canvas, Row, draw_plan
 from grounding.pictures.canvas import shortened, wrapped
 from grounding.pictures.palette import EDGE, FAINT, INK
 
@@ -21,7 +22,13 @@ _NOTE = 16
 
 def draw_figure(figure: Figure) -> Image.Image:
     """The phrases of a figure over plans of its world, seen from above."""
-    return on_sheet(figure, [plan_of(figure, panel) for panel in figure.panels])
+    panels = figure.panels or (nothing(figure),)
+    return on_sheet(replace(figure, panels=panels), [plan_of(figure, panel) for panel in panels])
+
+
+def nothing(figure: Figure) -> Panel:
+    """The panel of an instruction of whose phrases none means anything among the objects."""
+    return Panel(figure.title, "", (), (Row("failed", "nothing among the objects is meant"),))
 
 
 def on_sheet(figure: Figure, panels: Sequence[Image.Image]) -> Image.Image:

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from grounding.corpus.format import Corpus, Example
-from grounding.experiments.engines import Engine, make_engine
+from grounding.experiments.engines import ADAPTIVE, Engine, make_engine
 from grounding.experiments.processes import peak_memory
 from grounding.experiments.splits import Split, layout_key
 from grounding.geometry.layout import Layout
@@ -16,14 +16,13 @@ from grounding.inference import Hypothesis, Inference
 from grounding.language.grammar import Grammar
 from grounding.language.parser import Parser
 from grounding.language.tree import Phrase
-from grounding.learning import learn
+from grounding.learning import Negatives, learn
 from grounding.learning.evaluation import score_tree
 from grounding.learning.examples import Annotated, annotated
 from grounding.readings import readings
 
 PARSES = ("annotated", "own")
 Variants = tuple[tuple[str, str], ...]  # pairs of parse and engine
-ADAPTIVE = "adcg"  # the method whose cost does not forbid large worlds
 
 
 @dataclass(frozen=True)
@@ -37,7 +36,7 @@ class Settings:
         penalty: strength of the L2 regularisation in training.
         readings: how many parses of a text are grounded where the parse is our own; the world decides between them.
         exhaustive: other methods than ADCG are run on worlds of at most so many blocks.
-        options: of each engine, by its name.
+        negatives: in training, all of Γ is negative in worlds of up to so many blocks, and what is proposed in others.
     """
 
     inference: tuple[str, ...] = (ADAPTIVE,)
@@ -45,8 +44,8 @@ class Settings:
     threshold: float = 0.75
     penalty: float = 0.3
     readings: int = 4
-    exhaustive: int = 7
-    options: Mapping[str, Mapping[str, Any]] | None = None
+    exhaustive: int = 12
+    negatives: int = 0
 
     @property
     def variants(self) -> Variants:
@@ -70,7 +69,8 @@ def run_trial(corpus: Corpus, split: Split, settings: Settings, variants: Varian
     train = [corpus.examples[i] for i in split.train]
     test = [corpus.examples[i] for i in split.test]
     before, start = peak_memory(), time.perf_counter()
-    model = learn([_annotated(example, layouts) for example in train], settings.penalty)
+    negatives = Negatives(things=settings.negatives)
+    model = learn([_annotated(example, layouts) for example in train], settings.penalty, negatives=negatives)
     training = {
         "seconds": round(time.perf_counter() - start, 3),
         "megabytes": peak_memory(),
@@ -82,7 +82,7 @@ def run_trial(corpus: Corpus, split: Split, settings: Settings, variants: Varian
     parser = Parser(Grammar.learn(e.tree for e in train)) if any(parse == "own" for parse, _ in variants) else None
     rows = []
     for parse, name in variants:
-        engine = make_engine(name, model, (settings.options or {}).get(name))
+        engine = make_engine(name, model)
         for example in test:
             layout = layouts[example.world]
             if name != ADAPTIVE and layout.size > settings.exhaustive:
