@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import partial
 
 import numpy as np
 
@@ -10,13 +11,12 @@ from grounding.result import GroundedAction
 from integration import checks
 from integration.checks import Check
 from integration.errors import NoPlan
+from integration.laying import Laying
+from integration.recovery import free_hands, persist, put_back, remove_leaning
 from integration.spots import beside, out_of_the_way, region_of
 from integration.stage import Stage
 from motion import Plan, Scene
 from motion.state import ARMS
-
-_TRIES = 12
-_APART = 0.07  # spots that are tried after one another are at least so far apart, in [m]
 
 
 def carry_out(stage: Stage, action: GroundedAction, arm: str) -> tuple[Check, ...]:
@@ -61,17 +61,50 @@ def _pick(stage: Stage, objects: Sequence[str], arm: str) -> tuple[Check, ...]:
             "hands",
         )
     before = stage.scene
-    plans = _plan_picks(stage, objects, arm)
-    for plan, name in zip(plans, objects, strict=True):
-        stage.execute(plan, "pick", name)
-    arms = {name: plan.arm for plan, name in zip(plans, objects, strict=True)}
+    held_before = tuple(stage.simulator.state().held.values())
+    found: tuple[Check, ...] = ()
+
+    def attempt(hand: str) -> None:
+        if not free_hands(stage, held_before):
+            raise NoPlan("a hand cannot be freed for another try", tuple(objects), "hands")
+        for name in objects:
+            remove_leaning(stage, name)
+        for plan, name in zip(_plan_picks(stage, objects, hand), objects, strict=True):
+            stage.execute(plan, "pick", name)
+
+    def check() -> tuple[Check, ...]:
+        nonlocal found
+        found = _lifted(stage, before, objects)
+        others = [one for one in found if not one.passed]
+        only = {one.name for one in others} == {"others_unmoved"}
+        if only and put_back(stage, before, _touched(stage, objects)):
+            found = _lifted(stage, before, objects)
+        return found
+
+    if not persist(stage, objects[0], attempt, check, arm):
+        found = _lifted(stage, before, objects)
+    return found
+
+
+def _lifted(stage: Stage, before: Scene, objects: Sequence[str]) -> tuple[Check, ...]:
+    """The checks of objects that were picked up."""
+    last = {item.object: item for item in stage.handled if item.action == "pick"}
+    arms = {name: last[name].arm for name in objects if name in last}
     seconds = stage.keep_still(arms)
-    after = stage.scene
+    after = stage.look_carefully()
     found: list[Check] = []
-    for name, goal in [(item.object, item.goal) for item in stage.handled[-len(objects) :]]:
-        found.append(checks.at_goal(after, name, goal, "lifted to where it should be"))
+    for name in objects:
+        if name not in last:
+            found.append(checks.held(name, "", 0.0))
+            continue
+        found.append(checks.at_goal(after, name, last[name].goal, "lifted to where it should be", stage.doubt))
         found.append(checks.held(name, arms[name], seconds[name]))
-    return (*found, checks.others_unmoved(before, after, objects))
+    return (*found, checks.others_unmoved(before, after, _touched(stage, objects), stage.doubt))
+
+
+def _touched(stage: Stage, objects: Sequence[str]) -> tuple[str, ...]:
+    """What was to be moved: the objects, and what had to be moved for them."""
+    return (*objects, *sorted(stage.moved))
 
 
 def _plan_picks(stage: Stage, objects: Sequence[str], arm: str) -> list[Plan]:
@@ -101,70 +134,53 @@ def _place(stage: Stage, action: GroundedAction, arm: str) -> tuple[Check, ...]:
     if action.destination is None:
         message = f"where {', '.join(action.objects)} should be put was not understood"
         raise NoPlan(message, action.objects, "destination")
-    before, goals = stage.scene, {}
     place = np.asarray(action.destination.position, dtype=float)
-    for number, name in enumerate(action.objects):
+    on_top = action.destination.relation == "top"
+
+    def spots(number: int) -> np.ndarray:
+        name = action.objects[number]
         if number == 0:
-            spots = place[None]
-        elif action.destination.relation == "top":
+            return place[None]
+        if on_top:
             last = stage.scene.box(action.objects[number - 1])
-            spots = np.array([[*last.position[:2], last.top + stage.scene.box(name).half_extents[2]]])
-        else:
-            spots = beside(stage.scene, name, place)
-        goals[name] = _put(stage, "place", name, spots, arm)
-    return _laid_down(stage, before, goals, "at its destination")
+            return np.array([[*last.position[:2], last.top + stage.scene.box(name).half_extents[2]]])
+        return beside(stage.scene, name, place)
+
+    laying = Laying(stage, "place", arm)
+    for number, name in enumerate(action.objects):
+        if not laying.put(name, partial(spots, number)):
+            break
+    return laying.checked(action.objects, "at its destination")
 
 
 def _clear(stage: Stage, objects: Sequence[str], arm: str) -> tuple[Check, ...]:
-    before, goals = stage.scene, {}
+    laying = Laying(stage, "clear", arm)
+    before = laying.before
     region = region_of(before, objects)
-    heights = {name: float(before.box(name).position[2]) for name in objects}
-    for name in sorted(objects, key=lambda name: -round(heights[name], 2)):
-        spots = out_of_the_way(stage.scene, name, region)
-        if not len(spots):
-            raise NoPlan(f"there is no free room on the table to clear {name} to", (name,), "room")
-        goals[name] = _put(stage, "clear", name, spots, arm)
-    found = list(_laid_down(stage, before, goals, "at its new place"))
-    after = stage.scene
-    return (*found, *(checks.out_of_region(after, name, region) for name in goals))
+    left = sorted(objects, key=lambda name: -round(float(before.box(name).position[2]), 2))
+    while left:
+        done = _one_of(laying, stage, left, region)
+        if done is None:
+            break
+        left.remove(done)
+    found = laying.checked(objects, "at its new place")
+    after = stage.look_carefully()
+    return (*found, *(checks.out_of_region(after, name, region) for name in objects))
 
 
-def _put(stage: Stage, action: str, name: str, spots: np.ndarray, arm: str) -> np.ndarray:
-    """Sets an object down at the first of `spots`, (n, 3) in [m], that a plan leads to; where that is."""
+def _one_of(laying: Laying, stage: Stage, left: Sequence[str], region: np.ndarray) -> str | None:
+    """Clears the first of the objects that there is a plan for; which, or None where that was given up.
+
+    Raises:
+        NoPlan: there is a plan for none of them.
+    """
     refusal: NoPlan | None = None
-    for spot in _spread(spots):
+    for name in left:
         try:
-            plans = stage.plan_transport(name, spot, arm)
+            done = laying.put(name, lambda name=name: out_of_the_way(stage.scene, name, region))  # type: ignore[misc]
         except NoPlan as error:
             refusal = refusal or error
         else:
-            for plan in plans:
-                stage.execute(plan, action, name)
-            return spot
-    if refusal is None:
-        raise NoPlan(f"there is no free place on the table for {name}", (name,), "room")
+            return name if done else None
+    assert refusal is not None
     raise refusal
-
-
-def _spread(spots: np.ndarray) -> list[np.ndarray]:
-    """The first of `spots`, (n, 3), that keep apart, so that tries are not wasted on neighbours of a bad one."""
-    chosen: list[np.ndarray] = []
-    for spot in spots:
-        if len(chosen) == _TRIES:
-            break
-        if all(np.linalg.norm(spot - other) >= _APART for other in chosen):
-            chosen.append(spot)
-    return chosen
-
-
-def _laid_down(stage: Stage, before: Scene, goals: dict[str, np.ndarray], what: str) -> tuple[Check, ...]:
-    """The checks of objects that were set down."""
-    drift = stage.watch_rest()
-    after, contacts = stage.scene, stage.simulator.contacts()
-    found: list[Check] = []
-    for name, goal in goals.items():
-        found.append(checks.at_goal(after, name, goal, what))
-        found.append(checks.supported(after, name))
-        found.append(checks.released(name, contacts, after.names))
-        found.append(checks.at_rest(name, drift[name]))
-    return (*found, checks.others_unmoved(before, after, goals))

@@ -64,9 +64,9 @@ class Check:
         }
 
 
-def at_goal(scene: Scene, name: str, goal: ArrayLike, where: str = "at its goal") -> Check:
-    """The object's centre is within 5 mm of `goal`, (3,) in [m]."""
-    return _most("at_goal", name, _distance(scene, name, goal), AT_GOAL, "m", f"{name} is {where}")
+def at_goal(scene: Scene, name: str, goal: ArrayLike, where: str = "at its goal", doubt: float = 0.0) -> Check:
+    """The object's centre is within 5 mm of `goal`, (3,) in [m], for all the `doubt` of seeing, in [m]."""
+    return _most("at_goal", name, _distance(scene, name, goal), AT_GOAL - doubt, "m", f"{name} is {where}")
 
 
 def held(name: str, arm: str, seconds: float, wanted: float = HELD_FOR) -> Check:
@@ -76,8 +76,8 @@ def held(name: str, arm: str, seconds: float, wanted: float = HELD_FOR) -> Check
     return Check("held", name, passed, float(seconds), wanted, "s", meaning, at_least=True)
 
 
-def supported(scene: Scene, name: str) -> Check:
-    """The object rests on what is below its centre: the gap between both is at most 2 mm."""
+def supported(scene: Scene, name: str, doubt: float = 0.0) -> Check:
+    """The object rests on what is below its centre: the gap between both is at most 2 mm and the `doubt` of seeing."""
     box = scene.box(name)
     tops = [
         (abs(box.bottom - other.top), other.name)
@@ -85,7 +85,7 @@ def supported(scene: Scene, name: str) -> Check:
         if other.name != name and contains(other.footprint, np.asarray(box.position[:2]))
     ]
     gap, below = min(tops, default=(math.inf, "nothing"))
-    return _most("supported", name, gap, SUPPORT_GAP, "m", f"{name} rests on {below}")
+    return _most("supported", name, gap, SUPPORT_GAP + doubt, "m", f"{name} rests on {below}")
 
 
 def released(name: str, contacts: Iterable[tuple[str, str]], boxes: Iterable[str]) -> Check:
@@ -101,9 +101,9 @@ def released(name: str, contacts: Iterable[tuple[str, str]], boxes: Iterable[str
     return _most("released", name, len(touching), 0, "contacts", f"no hand touches {name}")
 
 
-def at_rest(name: str, drift: float) -> Check:
-    """The object moved at most 0.5 mm while it was watched."""
-    return _most("at_rest", name, drift, DRIFT, "m", f"{name} lies still")
+def at_rest(name: str, drift: float, doubt: float = 0.0) -> Check:
+    """The object moved at most 0.5 mm while it was watched, and the `doubt` of seeing."""
+    return _most("at_rest", name, drift, DRIFT + 2 * doubt, "m", f"{name} lies still")
 
 
 def out_of_region(scene: Scene, name: str, region: ArrayLike) -> Check:
@@ -113,7 +113,7 @@ def out_of_region(scene: Scene, name: str, region: ArrayLike) -> Check:
     return Check("out_of_region", name, bool(outside > OUTSIDE), outside, OUTSIDE, "m", meaning, at_least=True)
 
 
-def others_unmoved(before: Scene, after: Scene, moved: Iterable[str]) -> Check:
+def others_unmoved(before: Scene, after: Scene, moved: Iterable[str], doubt: float = 0.0) -> Check:
     """Of all loose objects but those named in `moved`, none is farther than 5 mm from where it was."""
     handled = set(moved)
     shifts = [
@@ -122,7 +122,7 @@ def others_unmoved(before: Scene, after: Scene, moved: Iterable[str]) -> Check:
         if not box.fixed and box.name not in handled
     ]
     most, name = max(shifts, default=(0.0, ""))
-    return _most("others_unmoved", name, most, UNMOVED, "m", "no other block moved")
+    return _most("others_unmoved", name, most, UNMOVED - doubt, "m", "no other block moved")
 
 
 def gathered(found: Sequence[Check]) -> tuple[tuple[Check, int], ...]:

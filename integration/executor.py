@@ -10,14 +10,15 @@ from grounding.world import World
 from integration.actions import carry_out
 from integration.checks import Check
 from integration.errors import NoPlan, UsageError
+from integration.incidents import Trouble
 from integration.report import DONE, FAILED, NO_PLAN, NOT_GROUNDED, Handled, Report, Step
 from integration.stage import Planner, Stage, Watch
 from integration.worlds import scene_of, world_at
-from motion import MotionError, SimulationDiverged
+from motion import Fault, MotionError, Pose, Sensor, SimulationDiverged
 from motion.state import ARMS
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Mapping, Sequence
 
 _UNGROUNDED = {
     "ambiguous": "more than one thing could be meant; say which one",
@@ -41,6 +42,8 @@ class Executor:
         arm: "left", "right" or "auto" for whichever does it better.
         seed: of all chance; the same seed gives the same report, timings aside.
         planner: from goals to plans; motion by default.
+        faults: what shall go wrong in the simulation.
+        sensor: how well blocks are seen; exactly by default.
 
     Raises:
         UsageError: there is no such arm.
@@ -53,11 +56,14 @@ class Executor:
         arm: str = "auto",
         seed: int = 0,
         planner: Planner | None = None,
+        faults: Sequence[Fault] = (),
+        sensor: Sensor | None = None,
     ) -> None:
         if arm not in ("auto", *ARMS):
             raise UsageError(f"there is no arm {arm!r}; there are {', '.join(ARMS)} and auto")
         self._grounder = grounder
         self._arm, self._seed, self._planner = arm, seed, planner
+        self._faults, self._sensor = tuple(faults), sensor
 
     def run(
         self,
@@ -112,7 +118,7 @@ class Executor:
         outcome, message = FAILED, ""
         reason: str | None = None
         try:
-            stage = Stage(scene_of(world), self._seed, self._planner, watch)
+            stage = Stage(scene_of(world), self._seed, self._planner, watch, self._faults, self._sensor)
         except MotionError as error:
             return self._report(grounding, world, None, NO_PLAN, str(error), type(error).__name__, (), steps)
         with stage:
@@ -121,9 +127,11 @@ class Executor:
                 stage.settle(tuple(name for action in grounding.actions for name in action.objects))
                 for action in grounding.actions:
                     done += carry_out(stage, action, self._arm)
-                outcome, message, reason = _verdict(done, grounding.actions, stage.handled)
+                outcome, message, reason = _verdict(done, grounding.actions, stage)
             except NoPlan as error:
                 outcome, message, reason = NO_PLAN, _after(stage.handled) + str(error), error.reason
+            except Trouble as error:
+                message, reason = f"it was stopped, because {error}", error.incident.kind
             except SimulationDiverged as error:
                 message, reason = str(error), type(error).__name__
             except MotionError as error:
@@ -156,29 +164,32 @@ class Executor:
             message=message,
             grounding=grounding,
             world=world,
-            final_world=world if stage is None else world_at(world, stage.simulator.poses()),
+            final_world=world if stage is None else world_at(world, _seen(stage)),
             seed=self._seed,
             reason=reason,
             handled=() if stage is None else tuple(stage.handled),
             steps=steps if stage is None else steps + tuple(stage.steps),
             checks=checks,
+            incidents=() if stage is None else tuple(stage.incidents),
+            records=() if stage is None else tuple(stage.records),
+            truth={} if stage is None else stage.simulator.poses(),
             state=None if stage is None else stage.simulator.state(),
         )
 
 
-def _verdict(
-    done: Sequence[Check], actions: Sequence[GroundedAction], handled: Sequence[Handled]
-) -> tuple[str, str, str | None]:
+def _verdict(done: Sequence[Check], actions: Sequence[GroundedAction], stage: Stage) -> tuple[str, str, str | None]:
     """Outcome, message and reason; success only where there are checks and all of them passed."""
     broken = [check for check in done if not check.passed]
+    told = "; ".join(incident.message for incident in stage.incidents if incident.kind != "check")
     if broken or not done:
         first = broken[0] if broken else None
         said = "nothing was checked" if first is None else f"it is not so that {first.meaning}"
-        return FAILED, f"carried out, but {said}", "unchecked" if first is None else first.name
+        reason = "unchecked" if first is None else first.name
+        return FAILED, f"carried out, but {said}" + (f" ({told})" if told else ""), reason
     parts = []
     for action in actions:
         names = " and ".join([", ".join(action.objects[:-1])] * (len(action.objects) > 1) + [action.objects[-1]])
-        arms = list(dict.fromkeys(item.arm for item in handled if item.object in action.objects))
+        arms = list(dict.fromkeys({item.object: item.arm for item in stage.handled}[name] for name in action.objects))
         hands = f"the {arms[0]} hand" if len(arms) == 1 else "the hands, one in each"
         verb = "is" if len(action.objects) == 1 else "are"
         parts.append(
@@ -186,7 +197,12 @@ def _verdict(
             else f"{names} {verb} where {'it' if verb == 'is' else 'they'} should be" if action.action == "place"
             else f"{names} {verb} out of the way"
         )  # fmt: skip
-    return DONE, "; ".join(parts), None
+    return DONE, "; ".join(parts) + (f", although {told}" if told else ""), None
+
+
+def _seen(stage: Stage) -> Mapping[str, Pose]:
+    """Where everything is seen at the end."""
+    return {box.name: box.pose for box in stage.look_carefully().boxes}
 
 
 def _after(handled: Sequence[Handled]) -> str:

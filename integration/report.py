@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any
 
 from grounding.result import Grounding
 from grounding.world import World
 from integration.checks import Check
-from motion import RobotState
+from integration.incidents import Incident
+from motion import PhaseRecord, Pose, RobotState
 
 DONE, NOT_GROUNDED, NO_PLAN, FAILED = OUTCOMES = ("done", "not_grounded", "no_plan", "failed")
 EXIT_CODES = {DONE: 0, NOT_GROUNDED: 3, NO_PLAN: 4, FAILED: 5}
@@ -67,8 +69,12 @@ class Report:
         handled: what was done with which object by which arm, in order.
         steps: in order.
         checks: of the final state.
+        incidents: what went wrong on the way, in order.
         state: the robot at the end, or None where it never moved.
         pictures: files that were written.
+        records: what the simulator recorded of each phase, not told in JSON.
+        truth: where everything really was at the end, whatever the sensor showed: for judging the executor, not told in
+            JSON.
     """
 
     instruction: str
@@ -82,8 +88,11 @@ class Report:
     handled: tuple[Handled, ...] = ()
     steps: tuple[Step, ...] = ()
     checks: tuple[Check, ...] = ()
+    incidents: tuple[Incident, ...] = ()
     state: RobotState | None = field(default=None, repr=False)
     pictures: tuple[str, ...] = ()
+    records: tuple[PhaseRecord, ...] = field(default=(), repr=False)
+    truth: Mapping[str, Pose] = field(default_factory=dict, repr=False)
 
     @property
     def exit_code(self) -> int:
@@ -114,6 +123,7 @@ class Report:
             "handled": [item.to_json() for item in self.handled],
             "arms": list(self.arms),
             "steps": [{"name": step.name, "simulated_seconds": round(step.simulated, 6)} for step in self.steps],
+            "incidents": [incident.to_json() for incident in self.incidents],
             "checks": [check.to_json() for check in self.checks],
             "final_poses": {
                 name: {

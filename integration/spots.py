@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike
 from grounding.pictures.outlines import convex_hull, rounded_hull
 from integration.outlines import distances_outside
 from motion import Box, Scene
+from motion.scene import standing
 
 GRID = 0.02
 ROOM = 0.035
@@ -38,7 +39,7 @@ def free_spots(scene: Scene, name: str, avoid: Sequence[ArrayLike] = ()) -> np.n
     Returns:
         (n, 3) places of its centre in [m], in a fixed order.
     """
-    box = scene.box(name)
+    box = standing(scene.box(name))
     reach = float(np.max(np.linalg.norm(box.footprint - box.position[:2], axis=1)))
     found = [_on(scene, table, box, reach, avoid) for table in scene.boxes if table.fixed]
     return np.concatenate(found) if found else np.empty((0, 3))

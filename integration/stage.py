@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from types import TracebackType
 from typing import Any, Protocol
@@ -13,8 +13,10 @@ import numpy as np
 import motion
 from integration.checks import HELD_FOR, drifts
 from integration.errors import NoPlan
+from integration.incidents import Incident, Trouble
+from integration.monitor import Monitor
 from integration.report import Handled, Step
-from motion import MotionError, Plan, Scene, Simulator
+from motion import Fault, MotionError, PhaseRecord, Plan, Scene, Sensor, Simulator
 
 Watch = Callable[[Simulator], None]
 
@@ -22,6 +24,8 @@ _SETTLING = 1.0
 _STABLE = 0.010
 _WATCHED = 0.5
 _SAMPLE = 10
+_FALLING = 3.0
+_FRAMES, _CAREFUL = 10, 30
 
 
 class Planner(Protocol):
@@ -42,22 +46,41 @@ class Stage:
         seed: of all chance.
         planner: where plans come from.
         watch: called after every step of physics, for videos and viewers.
+        faults: what shall go wrong.
+        sensor: how well blocks are seen.
 
     Attributes:
         simulator: where everything is.
         steps: taken so far.
         handled: what was done so far.
+        incidents: what went wrong so far.
+        records: of every phase that was carried out so far.
+        moved: ids of objects that had to be moved for others.
     """
 
-    def __init__(self, scene: Scene, seed: int, planner: Planner | None = None, watch: Watch | None = None) -> None:
+    def __init__(
+        self,
+        scene: Scene,
+        seed: int,
+        planner: Planner | None = None,
+        watch: Watch | None = None,
+        faults: Sequence[Fault] = (),
+        sensor: Sensor | None = None,
+    ) -> None:
         self.steps: list[Step] = []
         self.handled: list[Handled] = []
+        self.incidents: list[Incident] = []
+        self.records: list[PhaseRecord] = []
+        self.moved: set[str] = set()
         self._rng = np.random.default_rng(seed)
+        self._sensor = Sensor() if sensor is None else sensor
+        self._seeing = np.random.default_rng([seed, 1])
+        self._seen: tuple[float, int, Scene] | None = None
         self._planner: Any = motion if planner is None else planner
         self._watch = watch
         self._given = scene
         with self._timed("build the scene"):
-            self.simulator = Simulator(scene)
+            self.simulator = Simulator(scene, faults=faults)
 
     def __enter__(self) -> Stage:
         return self
@@ -69,8 +92,32 @@ class Stage:
 
     @property
     def scene(self) -> Scene:
-        """Everything where it is now."""
-        return self.simulator.scene()
+        """Everything where it is seen now."""
+        return self.look(_FRAMES)
+
+    @property
+    def doubt(self) -> float:
+        """How far a block may be from where a careful look shows it, in [m]."""
+        return self._sensor.uncertainty(_CAREFUL)
+
+    def look(self, frames: int) -> Scene:
+        """Everything where so many frames of the sensor show it; an exact one needs none and takes no time."""
+        if self._sensor.exact:
+            return self.simulator.scene()
+        if self._seen is None or self._seen[0] != self.simulator.time or self._seen[1] < frames:
+            scene = self._sensor.look(self.simulator, self._seeing, frames)
+            self._seen = self.simulator.time, frames, scene
+        return self._seen[2]
+
+    def look_carefully(self) -> Scene:
+        """Everything where many frames show it."""
+        return self.look(_CAREFUL)
+
+    def note(self, kind: str, name: str, message: str, phase: str = "") -> Incident:
+        """Notes an incident."""
+        incident = Incident(kind, name, phase, message, self.simulator.time)
+        self.incidents.append(incident)
+        return incident
 
     def settle(self, objects: tuple[str, ...]) -> None:
         """Lets everything come to rest as the world was given.
@@ -104,7 +151,7 @@ class Stage:
             plan: Plan = self._planner.plan_pick(scene, name, arm=arm, rng=self._rng, **options)
         return plan
 
-    def plan_transport(self, name: str, position: np.ndarray, arm: str) -> tuple[Plan, ...]:
+    def plan_transport(self, name: str, position: np.ndarray, arm: str, **options: Any) -> tuple[Plan, ...]:
         """Plans to set an object down at `position`, (3,) of its centre in [m]; two where the hands must pass it on.
 
         Raises:
@@ -113,29 +160,48 @@ class Stage:
         with self._timed(f"plan the place of {name}"), _refusals(name):
             return tuple(
                 self._planner.plan_transport(
-                    self.scene, name, position, arm=arm, start=self.simulator.state(), rng=self._rng
+                    self.scene, name, position, arm=arm, start=self.simulator.state(), rng=self._rng, **options
                 )
             )
 
+    def plan_home(self, arm: str) -> Plan:
+        """A plan to bring an arm home from where it is.
+
+        Raises:
+            NoPlan: with motion's reason.
+        """
+        with self._timed(f"plan the way home of the {arm} arm"), _refusals(""):
+            return motion.plan_home(self.scene, arm=arm, start=self.simulator.state(), rng=self._rng)
+
     def execute(self, plan: Plan, action: str, name: str) -> None:
-        """Carries a plan out and notes its phases."""
-        ticks: list[float] = [time.perf_counter()]
+        """Carries a plan out, watches it, and notes its phases.
 
-        def tick(simulator: Simulator) -> None:
-            ticks.append(time.perf_counter())
-            if self._watch is not None:
-                self._watch(simulator)
-
-        execution = self.simulator.execute(plan, tick)
-        before, simulated = 0, 0.0
-        for phase in execution.phases:
-            simulated += phase.duration
-            after = round(simulated / max(execution.duration, 1e-9) * (len(ticks) - 1))
-            self.steps.append(Step(phase.name, ticks[after] - ticks[before], phase.duration))
-            before = after
+        Raises:
+            Trouble: something was not as planned; the arm stands still.
+        """
+        scene = self.scene
+        self.simulator.check_start(plan)
         if plan.goal is not None:
             x, y, z = (float(value) for value in plan.goal.position)
             self.handled.append(Handled(action, name, plan.arm, (x, y, z)))
+        monitor = Monitor(plan, scene, self._sensor, self._seeing, lambda: self.scene)
+        for phase in plan.phases:
+            begin = time.perf_counter()
+            watching = monitor.during(phase)
+            record = self.simulator.run_phase(plan.arm, plan.target, phase, self._watch, watching)
+            self.steps.append(Step(phase.name, time.perf_counter() - begin, record.duration))
+            self.records.append(record)
+            found = monitor.after(phase, record, self.simulator)
+            if found is not None:
+                kind, message = found.split(": ", 1)
+                raise Trouble(self.note(kind, name, message, phase.name), plan.arm)
+
+    def come_to_rest(self) -> None:
+        """Lets what was pushed or dropped come to rest."""
+        start = self.simulator.time
+        with self._timed("settle") as step:
+            self.simulator.settle(_FALLING)
+            step["simulated"] = self.simulator.time - start
 
     def keep_still(self, holding: Mapping[str, str]) -> Mapping[str, float]:
         """Lets two seconds pass and watches whether objects stay in hands.
@@ -171,10 +237,11 @@ class Stage:
         start = self.simulator.time
         with self._timed("come to rest") as step:
             self.simulator.hold(_WATCHED, self._watch)
-            earlier = self.scene
+            earlier = self.look_carefully()
             self.simulator.hold(_WATCHED, self._watch)
+            later = self.look_carefully()
             step["simulated"] = self.simulator.time - start
-        return drifts(earlier, self.scene)
+        return drifts(earlier, later)
 
     @contextmanager
     def _timed(self, name: str) -> Iterator[dict[str, float]]:

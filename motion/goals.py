@@ -8,7 +8,7 @@ from numpy.typing import ArrayLike
 from motion.errors import InvalidGoal
 from motion.outlines import contains, overlap
 from motion.poses import Array, Pose, about
-from motion.scene import Box, Scene
+from motion.scene import Box, Scene, standing
 from motion.state import ARMS, RobotState
 
 HEIGHT_TOLERANCE = 0.004
@@ -55,8 +55,8 @@ def checked_arms(arm: str, state: RobotState, target: str) -> tuple[str, ...]:
 
 
 def turned(box: Box, position: Array, turn: float) -> Box:
-    """The box at `position`, turned by `turn` radians about the vertical."""
-    return box.at(Pose.of(about((0, 0, 1), turn) @ box.axes, position))
+    """The box at `position`, standing on a face, turned by `turn` radians about the vertical."""
+    return box.at(Pose.of(about((0, 0, 1), turn) @ standing(box).axes, position))
 
 
 def heading(box: Box) -> float:

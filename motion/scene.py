@@ -10,8 +10,10 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from motion.errors import InvalidGoal, InvalidScene, UnknownBody
-from motion.poses import Array, Pose, frozen, matrix
+from motion.poses import Array, Pose, about, frozen, matrix
 
+LEANING = 0.05
+"""A box whose faces are turned by more than this from level, in radians, does not stand but leans on something."""
 RESTING_GAP = 0.003
 """Two boxes whose faces are at most this far apart, in metres, are taken to touch."""
 
@@ -94,6 +96,22 @@ class Box:
         corners = self.position + (signs * self.size / 2) @ self.axes.T
         return frozen(hull(corners[:, :2]))
 
+    @property
+    def lean(self) -> float:
+        """Angle by which no face is level, radians; 0 for a box that stands on a face."""
+        return float(np.arccos(np.clip(np.max(np.abs(self.axes[2])), -1.0, 1.0)))
+
+    @property
+    def upright(self) -> Box:
+        """The same box turned the least that makes a face level."""
+        rising = self.axes[:, int(np.argmax(np.abs(self.axes[2])))]
+        rising = rising * np.sign(rising[2])
+        across = np.cross(rising, (0.0, 0.0, 1.0))
+        norm = float(np.linalg.norm(across))
+        if norm < 1e-12:
+            return self
+        return self.at(Pose.of(about(across / norm, self.lean) @ self.axes, self.position))
+
     def at(self, pose: Pose) -> Box:
         """The same box elsewhere."""
         return replace(self, position=pose.position, orientation=pose.orientation)
@@ -172,6 +190,22 @@ class Scene:
             and overlap(box.footprint, other.footprint) > 1e-3
         )
 
+    def leaning_on(self, name: str) -> tuple[str, ...]:
+        """Names of the loose boxes that lean and touch the box of that name: they would fall were it taken away."""
+        from motion.outlines import overlap
+
+        box = self.box(name)
+        return tuple(
+            other.name
+            for other in self.boxes
+            if other.name != name
+            and not other.fixed
+            and other.lean > LEANING
+            and other.bottom < box.top
+            and box.bottom < other.top
+            and overlap(other.footprint, box.footprint) > -RESTING_GAP
+        )
+
     def resting_position(self, name: str, xy: ArrayLike, ignore: Sequence[str] = ()) -> Array:
         """Where the centre of a box is when it rests, turned as it is, on whatever is highest below (x, y).
 
@@ -188,7 +222,7 @@ class Scene:
         """
         from motion.outlines import contains
 
-        box = self.box(name)
+        box = standing(self.box(name))
         point = np.asarray(xy, dtype=np.float64)
         if point.shape != (2,) or not np.all(np.isfinite(point)):
             raise InvalidGoal(f"a place on the table is two finite numbers, not {point.tolist()}", name)
@@ -200,3 +234,8 @@ class Scene:
         if not tops:
             raise InvalidGoal(f"nothing stands at ({point[0]:.3f}, {point[1]:.3f}) that {name!r} could rest on", name)
         return np.array([point[0], point[1], max(tops) + float(box.half_extents[2])])
+
+
+def standing(box: Box) -> Box:
+    """The box as it is put down: upright if it leans; what is level but for the noise of physics stays as it is."""
+    return box.upright if box.lean > LEANING else box

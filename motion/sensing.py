@@ -51,7 +51,7 @@ class Sensor:
         """What one frame shows of a scene."""
         if self.exact:
             return scene
-        return scene.moved({box.name: self._seen(box.pose, rng) for box in scene.boxes if not box.fixed})
+        return scene.moved({box.name: self.glimpse(box.pose, rng) for box in scene.boxes if not box.fixed})
 
     def look(self, simulator: Simulator, rng: np.random.Generator, frames: int) -> Scene:
         """The mean of several frames, taken while the robot keeps still; an exact sensor needs one and no time."""
@@ -72,7 +72,10 @@ class Sensor:
             }
         )
 
-    def _seen(self, pose: Pose, rng: np.random.Generator) -> Pose:
+    def glimpse(self, pose: Pose, rng: np.random.Generator) -> Pose:
+        """Where one frame shows a box that is at `pose`."""
+        if self.exact:
+            return pose
         offset = _direction(rng) * self.noise * rng.uniform() ** (1 / 3)
         rotation = about(_direction(rng), rng.uniform(-self.turn, self.turn)) @ pose.rotation
         return Pose(pose.position + offset, quaternion(rotation))

@@ -150,6 +150,16 @@ class Simulator:
             for box in self._scene.boxes
         }
 
+    def pose(self, name: str) -> Pose:
+        """Pose of one box.
+
+        Raises:
+            UnknownBody: there is none of that name.
+        """
+        if name in self._indices.box_qpos:
+            return self._indices.read_box(self._data, name)
+        return self._scene.box(name).pose
+
     def scene(self) -> Scene:
         """The scene as it is now."""
         return self._scene.moved({name: pose for name, pose in self.poses().items() if name in self._indices.box_qpos})
@@ -222,6 +232,16 @@ class Simulator:
             InvalidGoal: the plan begins elsewhere.
             SimulationDiverged: the physics broke down.
         """
+        self.check_start(plan)
+        records = tuple(self.run_phase(plan.arm, plan.target, phase, on_step) for phase in plan.phases)
+        return Execution(records, self.holding(plan.arm))
+
+    def check_start(self, plan: Plan) -> None:
+        """Whether a plan begins where the robot is.
+
+        Raises:
+            InvalidGoal: it does not.
+        """
         for arm in ARMS:
             gap = float(np.max(np.abs(plan.start.joints(arm) - self._reference[arm])))
             if gap > _START_TOLERANCE:
@@ -229,8 +249,6 @@ class Simulator:
                     f"the plan begins {gap:.3f} rad from where the {arm} arm is; plan with start=simulator.state()",
                     plan.target,
                 )
-        records = tuple(self.run_phase(plan.arm, plan.target, phase, on_step) for phase in plan.phases)
-        return Execution(records, self.holding(plan.arm))
 
     def hold(self, seconds: float, on_step: StepCallback | None = None) -> None:
         """Lets time pass while the robot keeps still."""

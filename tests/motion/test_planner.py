@@ -152,7 +152,7 @@ def test_a_block_between_walls_cannot_be_grasped():
         Box(f"w{i}", (0.6 + dx, -0.3 + dy, TOP + 0.05), size=(0.02, 0.02, 0.1), fixed=True)
         for i, (dx, dy) in enumerate([(0.042, 0), (-0.042, 0), (0, 0.042), (0, -0.042)])
     ]
-    with pytest.raises(GraspUnavailable, match=r"obstructed.*w\d") as caught:
+    with pytest.raises(GraspUnavailable, match=r"w\d") as caught:
         plan_pick(Scene((TABLE, block("b", 0.6, -0.3), *walls)), "b")
     assert caught.value.bodies is not None
 
