@@ -26,7 +26,7 @@ _POINTING = 0.35
 """Metres that a radian of the hand's direction counts for when starts are looked up."""
 _OUT_OF_RANGE = 0.3
 """Metres that a radian beyond a joint's range counts for when starts are ranked."""
-_POSTURE = 0.02
+_POSTURE = 0.04
 """Metres that a radian away from the wished posture counts for."""
 
 

@@ -33,7 +33,7 @@ from motion.state import ARMS, RobotState
 STEEPNESS = tuple(sorted({abs(tilt) for tilt in TILTS}))
 """Angles of the approach from the vertical that the map tells apart, radians."""
 TURNS = (0.0, np.pi / 6, np.pi / 3)
-"""Turns of the block about the vertical that are tried at each place, radians; after a quarter a cube looks the same."""
+"""Turns of the block that are tried at each place, radians; after a quarter turn a cube looks the same."""
 SPACING = 0.05
 LAYOUT = 1
 """Raised whenever the map is made in another way than before."""
