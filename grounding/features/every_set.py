@@ -6,6 +6,7 @@ import numpy as np
 
 from grounding.features import abstract, acting
 from grounding.features.blocks import NO_ROLE, Block, Slot, Space, make_slot, make_space, with_others
+from grounding.features.discretiser import role_names, shape_roles
 from grounding.features.scope import Scope
 from grounding.geometry.layout import Layout
 from grounding.space import ARRANGEMENT_KINDS, DIRECTIONS, ROBOT
@@ -59,14 +60,18 @@ def every_container(scope: Scope, proposals: Listed) -> Space:
 def _container_block(scope: Scope, kind: str, masks: np.ndarray, shared: list[Slot]) -> Block:
     layout = scope.layout
     constant = [make_slot([role], np.zeros(1, dtype=int)) for role in abstract.kind_roles(scope, kind)]
+    codes = shape_roles(layout).every(kind, masks)
+    shape = [Slot(names, of) for names, of in zip(role_names(kind), codes, strict=True)]
+    found = [int(np.searchsorted(masks, mask)) for other, mask in layout.by_members if other == kind]
 
     def find(symbol: Symbol) -> int | None:
         right = isinstance(symbol, Container) and symbol.kind == kind
         return place_of(masks, layout, symbol.objects) if right and isinstance(symbol, Container) else None
 
-    return Block(
-        masks.shape, (*constant, *shared), lambda index: Container(kind, layout.names(int(masks[index]))), find
-    )
+    def symbol(index: int) -> Symbol:
+        return Container(kind, layout.names(int(masks[index])))
+
+    return Block(masks.shape, (*constant, *shared, *shape), symbol, find, tuple(found))
 
 
 def every_region(scope: Scope, proposals: Listed) -> Space:
