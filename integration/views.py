@@ -20,6 +20,8 @@ from motion import Camera, Renderer, Simulator
 
 WIDTH, HEIGHT = 1280, 860
 CAMERA = Camera(np.array([2.25, 0.0, 2.05]), np.array([0.46, 0.0, 1.05]), 44.0)
+_TABLE = np.array([0.65, 0.0, 0.691])  # the centre of the table that `_CLOSE` suits, in [m]
+_CLOSE = Camera(np.array([2.1, 0.0, 2.0]), np.array([0.62, 0.0, 0.76]), 40.0)
 
 
 class Studio:
@@ -27,13 +29,16 @@ class Studio:
 
     Args:
         world: whose objects are rendered, wherever they will be.
+        size: width and height of the view in pixels.
+        camera: that looks at it.
 
     Raises:
         RenderingUnavailable: no OpenGL can be started.
     """
 
-    def __init__(self, world: World) -> None:
-        self._renderer = Renderer(scene_of(world), WIDTH, HEIGHT)
+    def __init__(self, world: World, size: tuple[int, int] = (WIDTH, HEIGHT), camera: Camera = CAMERA) -> None:
+        self._size, self._camera = size, camera
+        self._renderer = Renderer(scene_of(world), *size)
 
     def __enter__(self) -> Studio:
         return self
@@ -50,8 +55,12 @@ class Studio:
     def understood(self, grounding: Grounding, world: World) -> Image.Image:
         """The scene, with what the phrases mean marked in it."""
         marks = marks_of(grounding)
+        return self.marked(world, marks, grounding.instruction, mark_rows(marks))
+
+    def marked(self, world: World, marks: tuple[Mark, ...], title: str, rows: tuple[Row, ...]) -> Image.Image:
+        """The scene with marks in it, a title above and a legend below."""
         with Simulator(scene_of(world)) as simulator:
-            return self._view(simulator, world, marks, grounding.instruction, mark_rows(marks))
+            return self._view(simulator, world, marks, title, rows)
 
     def result(self, report: Report) -> Image.Image:
         """The scene at the end, with the checks as its caption."""
@@ -62,20 +71,26 @@ class Studio:
     def _view(
         self, simulator: Simulator, world: World, marks: tuple[Mark, ...], title: str, rows: tuple[Row, ...]
     ) -> Image.Image:
-        sheet = Sheet((WIDTH, HEIGHT), title, rows)
+        sheet = Sheet(self._size, title, rows)
         below = np.array([0.0, sheet.body[1]])
 
         def project(points: np.ndarray) -> np.ndarray:
-            return self._renderer.project(points, CAMERA) + below
+            return self._renderer.project(points, self._camera) + below
 
         corners = {item.id: project(corners_of(item)) for item in world.things}
         corners = {name: points for name, points in corners.items() if np.isfinite(points).all()}
-        sheet.canvas.paste(Image.fromarray(self._renderer.render(simulator, CAMERA)), (0, sheet.body[1]))
+        sheet.canvas.paste(Image.fromarray(self._renderer.render(simulator, self._camera)), (0, sheet.body[1]))
         draw_marks(sheet.canvas, marks, corners)
         draw_names(sheet.canvas, marks, corners)
         draw_destinations(sheet.canvas, marks, corners, project)
         _sides(sheet.canvas, sheet.body)
         return sheet.finished()
+
+
+def close_camera(world: World) -> Camera:
+    """A camera that shows the table of a world, wherever it stands, and what lies on it, from before the robot."""
+    table = next((item.position for item in world.objects if item.type == "table"), _TABLE)
+    return Camera(_CLOSE.position + (table - _TABLE), _CLOSE.target + (table - _TABLE), _CLOSE.field_of_view)
 
 
 def _sides(canvas: Canvas, body: tuple[int, int, int, int]) -> None:

@@ -10,9 +10,7 @@ from typing import Any
 
 from grounding.commands import SUMMARIES
 from grounding.corpus.format import Corpus
-from grounding.corpus.loading import load_corpus
-from grounding.errors import CorpusErrors
-from grounding.experiments import ExperimentError
+from grounding.experiments.reading import make_folder, read_corpus
 from grounding.experiments.splits import BY, Split, make_splits, parse_holdouts, world_numbers
 from grounding.experiments.trial import PARSES, Settings
 
@@ -40,8 +38,8 @@ def add_arguments(subparsers: Any) -> None:
     accuracy.add_argument("--penalty", type=_positive, default=0.3, help="strength of the L2 regularisation")
     _add_inference(accuracy)
     accuracy.add_argument("--negatives", type=_whole, metavar="N",
-                          help="in training, all of the space of symbols is negative in worlds of up to so many blocks, "
-                               "and what is proposed in others (default: 0 for adcg alone, else as "
+                          help="in training, all of the space of symbols is negative in worlds of up to so many "
+                               "blocks, and what is proposed in others (default: 0 for adcg alone, else as "
                                "--exhaustive-blocks)")  # fmt: skip
     accuracy.add_argument("--jobs", type=_count, default=1, metavar="N", help="processes at a time (default: 1)")
 
@@ -69,33 +67,10 @@ def run(args: argparse.Namespace) -> int:
     verbs: dict[str, Callable[[argparse.Namespace, Corpus], None]] = {
         "accuracy": _accuracy, "efficiency": _efficiency, "figures": _figures,
     }  # fmt: skip
-    corpus, code = read_corpus(args)
-    _make_folder(args.output)
+    corpus, whole = read_corpus(args.corpus, args.corrections, args.keep_going, _say)
+    make_folder(args.output)
     verbs[args.verb](args, corpus)
-    return code
-
-
-def read_corpus(args: argparse.Namespace) -> tuple[Corpus, int]:
-    """The corpus that was asked for, corrected, and the exit code so far.
-
-    With `--keep-going`, what is refused is told and left out.
-
-    Raises:
-        CorpusError: nothing could be read, or something was refused without `--keep-going`.
-    """
-    code = 0
-    try:
-        corpus = load_corpus(args.corpus, args.keep_going)
-    except CorpusErrors as error:
-        if error.rest is None:
-            raise
-        for problem in error.problems:
-            _say(f"error: {' '.join(str(problem).split())}")
-        corpus, code = error.rest, REFUSED
-        _say(f"{len(error.problems)} refused; going on with {len(corpus)} examples")
-    if args.corrections is not None:
-        corpus = _corrected(corpus, args.corrections)
-    return corpus, code
+    return 0 if whole else REFUSED
 
 
 def _accuracy(args: argparse.Namespace, corpus: Corpus) -> None:
@@ -182,21 +157,6 @@ def _steps(count: int, unit: str) -> Callable[[str], None]:
     return Progress(count, unit).step
 
 
-def _corrected(corpus: Corpus, path: Path) -> Corpus:
-    try:
-        from grounding.corpus import corrections
-    except ImportError:
-        raise ExperimentError(f"{path}: this version cannot read corrections") from None
-    corrected: Corpus = corrections.apply_corrections(corpus, corrections.read_corrections(path))
-    return corrected
-
-
-def _make_folder(path: Path) -> None:
-    if path.exists() and not path.is_dir():
-        raise ExperimentError(f"{path}: is a file; --output names a folder")
-    path.mkdir(parents=True, exist_ok=True)
-
-
 def _add_common(parser: argparse.ArgumentParser, plots: bool = True) -> None:
     parser.add_argument("--corpus", type=Path, required=True, metavar="PATH", help=_CORPUS)
     parser.add_argument("--output", type=Path, required=True, metavar="DIR", help="where results are written")
@@ -212,7 +172,7 @@ def _add_inference(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--inference", type=_names, default="adcg", metavar="NAME,...",
                         help="methods, with commas between them: adcg, dcg, exact, g3 (default: adcg)")  # fmt: skip
     parser.add_argument("--exhaustive-blocks", type=_count, default=12, metavar="N",
-                        help="run other methods than adcg on worlds of at most so many blocks (default: 12)")  # fmt: skip
+                        help="run other methods on worlds of at most so many blocks (default: 12)")  # fmt: skip
 
 
 def _names(text: str) -> tuple[str, ...]:

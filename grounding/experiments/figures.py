@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 import models
 from grounding.corpus.format import Corpus, Example
-from grounding.experiments.engines import make_engine
+from grounding.experiments.engines import ADAPTIVE, Engine, make_engine
 from grounding.experiments.errors import ExperimentError
 from grounding.experiments.panels import Figure, phrases_of, telling_panels, unsaid_kinds
 from grounding.experiments.splits import layout_key
@@ -24,7 +24,8 @@ from grounding.symbols import Container
 from grounding.world import load_world
 
 PENALTY = 0.3
-CANDIDATES = 3  # so many examples are grounded for each that is drawn
+CANDIDATES = 6  # so many examples are grounded for each that is drawn
+_PARTS = 4  # parts of the examples, each left out of what the factors for its figures learn from
 
 
 class OwnInstruction(NamedTuple):
@@ -50,56 +51,73 @@ OWN = (
 def choose(corpus: Corpus, count: int) -> tuple[str, ...]:
     """Ids of the examples that show most: phrases that ground to an arrangement which none of their words names.
 
-    Among equals the longer instruction comes first; instructions of the same words or in the same world come later.
+    Among equals the longer instruction comes first; no two have the same words.
     """
     worth = {example.id: _worth(example, corpus) for example in corpus}
     order = sorted(corpus, key=lambda e: (-worth[e.id][0], -worth[e.id][1], -len(e.tree.leaves), e.id))
     chosen: list[Example] = []
-    for fresh in (True, False):
-        for example in order:
-            if len(chosen) == count:
-                break
-            told = example.tree.text in {e.tree.text for e in chosen}
-            known = example.world in {e.world for e in chosen}
-            if example not in chosen and not (fresh and (told or known)):
-                chosen.append(example)
+    for example in order:
+        if len(chosen) < count and example.tree.text not in {e.tree.text for e in chosen}:
+            chosen.append(example)
     return tuple(example.id for example in chosen)
 
 
 def corpus_figures(corpus: Corpus, ids: Sequence[str], count: int | None = None) -> tuple[Figure, ...]:
-    """Figures of examples of a corpus.
+    """Figures of examples of a corpus, each grounded by factors that have not seen its words.
 
     Args:
-        corpus: that they are in; those of other words are learned from.
+        corpus: that they are in.
         ids: of the examples.
-        count: so many are drawn, those whose root is grounded as annotated and that have most to show; None: all.
+        count: so many are drawn, those first whose root is grounded as annotated and of which a phrase means an
+            arrangement that no word names, from as many worlds as there are; None: all.
 
     Raises:
         CorpusError: there is no such example.
         ExperimentError: nothing is left to learn from.
     """
-    chosen = [corpus[name] for name in ids]
-    texts = {example.tree.text for example in chosen}
+    chosen = [corpus[name] for name in dict.fromkeys(ids)]
     layouts = {name: Layout(world) for name, world in corpus.worlds.items()}
-    rest = [e for e in corpus if e.tree.text not in texts]
-    if not rest:
-        raise ExperimentError("no instruction is left to learn from but those that are to be drawn")
-    engine = make_engine("adcg", learn([annotated(e.tree, e.groundings, layouts[e.world]) for e in rest], PENALTY))
-    figures: list[tuple[tuple[bool, int], Figure]] = []
-    for example in chosen:
-        best = engine.infer(example.tree, layouts[example.world]).hypotheses[0]
-        panels = telling_panels(phrases_of(example.tree, best), corpus.worlds[example.world])
-        known = layout_key(corpus.worlds[example.world]) in {layout_key(corpus.worlds[e.world]) for e in rest}
-        parts = [part.symbols for _, part in aligned(example.tree, best)]
-        right = sum(part == gold for part, gold in zip(parts, example.groundings, strict=True))
-        note = f"{example.id}, {example.world}: learned from {len(rest)} instructions of other words"
-        note += f", {'some' if known else 'none'} of them in this world"
-        note += f"; {right} of {len(example.groundings)} phrases as annotated"
-        figure = Figure(example.id, example.instruction, corpus.worlds[example.world], panels, note)
-        figures.append(((parts[0] != example.groundings[0], -len(panels)), figure))
-    if count is not None:
-        figures = sorted(figures, key=lambda pair: pair[0])[:count]
-    return tuple(figure for _, figure in figures)
+    parts = min(_PARTS, len(chosen))
+    drawn: dict[str, tuple[bool, Figure]] = {}
+    for part in range(parts):
+        held = chosen[part::parts]
+        texts = {example.tree.text for example in held}
+        rest = [e for e in corpus if e.tree.text not in texts]
+        if not rest:
+            raise ExperimentError("no instruction is left to learn from but those that are to be drawn")
+        learned = learn([annotated(e.tree, e.groundings, layouts[e.world]) for e in rest], PENALTY)
+        engine = make_engine(ADAPTIVE, learned)
+        for example in held:
+            drawn[example.id] = _figure(example, corpus, rest, engine, layouts[example.world])
+    ordered = [drawn[example.id] for example in chosen]
+    return tuple(figure for _, figure in ordered) if count is None else _best(ordered, count)
+
+
+def _figure(
+    example: Example, corpus: Corpus, rest: Sequence[Example], engine: Engine, layout: Layout
+) -> tuple[bool, Figure]:
+    """The figure of an example, and whether it shows what the figures are for."""
+    best = engine.infer(example.tree, layout).hypotheses[0]
+    panels = telling_panels(phrases_of(example.tree, best), layout.world)
+    found = [part.symbols for _, part in aligned(example.tree, best)]
+    right = sum(symbols == gold for symbols, gold in zip(found, example.groundings, strict=True))
+    here = layout_key(layout.world)
+    known = any(layout_key(corpus.worlds[e.world]) == here for e in rest)
+    note = f"{example.id}, {example.world}; {right} of {len(found)} phrases as annotated; learned from {len(rest)} "
+    note += f"instructions of other words, {'some' if known else 'none'} in this world"
+    shows = found[0] == example.groundings[0] and any(set(panel.unsaid) - {"group"} for panel in panels)
+    return shows, Figure(example.id, example.instruction, layout.world, panels, note)
+
+
+def _best(figures: Sequence[tuple[bool, Figure]], count: int) -> tuple[Figure, ...]:
+    """Those that show what they are for come first, and of these one of each world."""
+    kept: list[Figure] = []
+    for wanted, fresh in ((True, True), (True, False), (False, True), (False, False)):
+        for shows, figure in figures:
+            known = figure in kept or (fresh and any(figure.world is other.world for other in kept))
+            if shows == wanted and not known and len(kept) < count:
+                kept.append(figure)
+    return tuple(kept)
 
 
 def own_figures() -> tuple[Figure, ...]:

@@ -27,15 +27,17 @@ class Panel:
         tag: NP, PP, VP, ...
         marks: what it means among the objects.
         rows: the legend: every kind of symbol with its probability.
+        unsaid: kinds of arrangements that it means and none of its words names.
     """
 
     text: str
     tag: str
     marks: tuple[Mark, ...]
     rows: tuple[Row, ...]
+    unsaid: tuple[str, ...] = ()
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Figure:
     """One instruction.
 
@@ -89,7 +91,10 @@ def telling_panels(phrases: Sequence[PhraseGrounding], world: World, most: int =
             chosen[key] = (place, phrase, marks)
     kept = sorted(chosen.values(), key=lambda item: (item[1].depth > 0, -len(item[1].text.split())))[:most]
     kept.sort(key=lambda item: (item[1].words[1], -item[1].words[0], -item[1].depth))
-    return tuple(Panel(phrase.text, phrase.tag, marks, _rows(phrase, marks)) for _, phrase, marks in kept)
+    return tuple(
+        Panel(phrase.text, phrase.tag, marks, _rows(phrase, marks), unsaid_kinds(phrase.text, _meant(phrase)))
+        for _, phrase, marks in kept
+    )
 
 
 def unsaid_kinds(text: str, symbols: Iterable[Symbol]) -> tuple[str, ...]:
@@ -101,8 +106,11 @@ def unsaid_kinds(text: str, symbols: Iterable[Symbol]) -> tuple[str, ...]:
 
 def _worth(phrase: PhraseGrounding) -> tuple[bool, bool]:
     """Which of two phrases that mean the same is shown."""
-    symbols = [symbol for symbol, p in phrase.groundings if p >= EXPRESSED]
-    return phrase.tag != "PP" and bool(unsaid_kinds(phrase.text, symbols)), phrase.tag != "PP"
+    return phrase.tag != "PP" and bool(unsaid_kinds(phrase.text, _meant(phrase))), phrase.tag != "PP"
+
+
+def _meant(phrase: PhraseGrounding) -> list[Symbol]:
+    return [symbol for symbol, p in phrase.groundings if p >= EXPRESSED]
 
 
 def marks_of_phrase(phrase: PhraseGrounding) -> tuple[Mark, ...]:
@@ -132,7 +140,7 @@ def _rows(phrase: PhraseGrounding, marks: Sequence[Mark]) -> tuple[Row, ...]:
     said = [s for s, p in phrase.groundings if p >= EXPRESSED and not _is_marked(s) and meaning_of(s) not in shown]
     texts = list(dict.fromkeys(meaning_of(symbol) for symbol in said))
     whole = [text for text in texts if not any(set(text.split()) < set(other.split()) for other in texts)]
-    unsaid = unsaid_kinds(phrase.text, (symbol for symbol, p in phrase.groundings if p >= EXPRESSED))
+    unsaid = unsaid_kinds(phrase.text, _meant(phrase))
     if unsaid:
         rows.append(Row("passed", f"none of these words says “{unsaid[0]}”"))
     if whole:

@@ -9,7 +9,7 @@ from PIL import Image
 
 from grounding.experiments.panels import Figure, Panel
 from grounding.pictures import Canvas, Row, draw_plan
-from grounding.pictures.canvas import shortened, wrapped
+from grounding.pictures.canvas import wrapped
 from grounding.pictures.palette import EDGE, FAINT, INK
 
 PANEL = 860  # width of a panel in pixels
@@ -47,7 +47,8 @@ def on_sheet(figure: Figure, panels: Sequence[Image.Image]) -> Image.Image:
     total = 2 * _MARGIN + across * width + (across - 1) * _GAP
     lines = wrapped(f"“{figure.title}”", _TITLE, total - 2 * _MARGIN)
     y = 24 + _LINE * len(lines) + 14
-    canvas = Canvas(total, y + sum(above) + sum(below) + _GAP * len(rows) + 34)
+    notes = wrapped(figure.note, _NOTE, total - 2 * _MARGIN)
+    canvas = Canvas(total, y + sum(above) + sum(below) + _GAP * len(rows) + 14 + 22 * len(notes))
     for i, line in enumerate(lines):
         canvas.text((_MARGIN, 24 + _LINE * (i + 0.5)), line, _TITLE, INK, "lm")
     for row, top, height in zip(rows, above, below, strict=True):
@@ -59,7 +60,8 @@ def on_sheet(figure: Figure, panels: Sequence[Image.Image]) -> Image.Image:
             frame = [(x, y), (x + width, y), (x + width, y + top + height), (x, y + top + height)]
             canvas.polygon(frame, line=EDGE, width=1)
         y += top + height + _GAP
-    canvas.text((_MARGIN, y + 4), shortened(figure.note, _NOTE, total - 2 * _MARGIN), _NOTE, FAINT, "lm")
+    for i, line in enumerate(notes):
+        canvas.text((_MARGIN, y + 4 + 22 * i), line, _NOTE, FAINT, "lm")
     return canvas.finished()
 
 
