@@ -1,13 +1,14 @@
 """Inference over the factors: engines of several kinds behind one interface."""
 
 from collections.abc import Callable
-from typing import Any
 
 from grounding.inference.adcg import Adcg
 from grounding.inference.dcg import Dcg
 from grounding.inference.engine import Engine
+from grounding.inference.exact import Exact
+from grounding.inference.g3 import G3
 from grounding.inference.hypotheses import Hypothesis, Inference, aligned
 
-ENGINES: dict[str, Callable[..., Any]] = {"adcg": Adcg, "dcg": Dcg}
+ENGINES: dict[str, Callable[..., Engine]] = {"adcg": Adcg, "dcg": Dcg, "exact": Exact, "g3": G3}
 
-__all__ = ["ENGINES", "Adcg", "Dcg", "Engine", "Hypothesis", "Inference", "aligned"]
+__all__ = ["ENGINES", "G3", "Adcg", "Dcg", "Engine", "Exact", "Hypothesis", "Inference", "aligned"]
