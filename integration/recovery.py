@@ -53,6 +53,8 @@ def persist(
         except Trouble as trouble:
             if trouble.incident.kind == "gripper":
                 stuck.append(trouble.arm)
+                if stuck.count(trouble.arm) == _STUCK:
+                    _withdraw(stage, trouble.arm)
         except NoPlan as refusal:
             if count == 0:
                 raise
@@ -75,13 +77,19 @@ def _hand(arm: str, stuck: list[str]) -> str:
 def stop(stage: Stage) -> None:
     """Ends it safely: hands that hold nothing go home where there is a free way, all else stays as it is."""
     stage.come_to_rest()
-    for arm in ARMS:
-        if arm in stage.simulator.state().held:
-            continue
-        try:
-            stage.execute(stage.plan_home(arm), "home", "")
-        except (NoPlan, Trouble, MotionError):
-            return
+    if not all(_withdraw(stage, arm) for arm in ARMS):
+        stage.note("plan", "", "an arm keeps still where it is, for there is no free way home")
+
+
+def _withdraw(stage: Stage, arm: str) -> bool:
+    """Brings an arm home if its hand is empty; False where there is no free way."""
+    if arm in stage.simulator.state().held:
+        return True
+    try:
+        stage.execute(stage.plan_home(arm), "home", "")
+    except (NoPlan, Trouble, MotionError):
+        return False
+    return True
 
 
 def free_hands(stage: Stage, wanted: Collection[str]) -> bool:

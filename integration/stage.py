@@ -24,7 +24,7 @@ _SETTLING = 1.0
 _STABLE = 0.010
 _WATCHED = 0.5
 _SAMPLE = 10
-_FALLING = 3.0
+_FALLING, _PAUSE = 3.0, 0.3
 _FRAMES, _CAREFUL = 10, 30
 
 
@@ -200,6 +200,7 @@ class Stage:
         """Lets what was pushed or dropped come to rest."""
         start = self.simulator.time
         with self._timed("settle") as step:
+            self.simulator.hold(_PAUSE, self._watch)
             self.simulator.settle(_FALLING)
             step["simulated"] = self.simulator.time - start
 
