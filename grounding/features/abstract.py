@@ -5,6 +5,7 @@ from __future__ import annotations
 import itertools
 from typing import NamedTuple
 
+from grounding.features.discretiser import shape_roles
 from grounding.features.scope import Scope
 from grounding.geometry.masks import indices_of
 from grounding.symbols import Container, ContainerAttribute, ObjectAttribute, ObjectSymbol, ObjectType, Symbol
@@ -170,16 +171,13 @@ def containers(scope: Scope) -> Proposals:
             found.setdefault(key, []).append(f"is {role}")
         if source.objects & (source.objects - 1) and not source.containers:
             found.setdefault(("group", source.objects), []).append(f"objects of {role}")
-    arrangements = scope.layout.by_members
-    robot = _robots(scope)
-    proposals: Proposals = robot
-    for (kind, mask), roles in found.items():
+    proposals: Proposals = _robots(scope)
+    shapes = shape_roles(scope.layout).of(found)
+    for ((kind, mask), roles), shape in zip(found.items(), shapes, strict=True):
         roles += [*kind_roles(scope, kind), *count_roles(scope, mask.bit_count()), *member_roles(scope, mask)]
         if kind == "group":
             roles += [f"as {name}" for name in sets.by_mask.get(mask, ())]
-        arrangement = arrangements.get((kind, mask))
-        if arrangement is not None:
-            roles += arrangement.quality
+        roles += shape
         proposals.append((Container(kind, scope.layout.names(mask)), roles))
     return proposals
 

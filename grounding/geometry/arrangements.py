@@ -57,17 +57,6 @@ class Arrangement:
         return float(fit) * float(self.count - (1.0 if self.kind != "circle" else 2.0)) * min(self.separation, 1.5)
 
     @cached_property
-    def quality(self) -> tuple[str, ...]:
-        """How well the objects form the shape, in bins: roles for the factors."""
-        return (
-            f"{self.kind} of {min(self.count, 4)}",
-            f"{self.kind} deviation {_bin(self.deviation, (0.05, 0.1, 0.2, 0.35))}",
-            f"{self.kind} regularity {_bin(self.regularity, (0.6, 0.8, 0.9))}",
-            f"{self.kind} separation {_bin(self.separation, (0.8, 1.1, 1.6, 2.5))}",
-            f"{self.kind} angle {_bin(self.angle, (0.1, 0.25, 0.5))}",
-        )
-
-    @cached_property
     def evident(self) -> bool:
         """Whether people would name it without being asked: enough members, well formed, apart from others."""
         if self.kind == "tower":
@@ -81,10 +70,6 @@ class Arrangement:
         if self.count == 3:
             return self.deviation < 0.15 and self.regularity > 0.75 and self.separation > 0.9
         return self.deviation < 0.3 and self.regularity > 0.55 and self.separation > 0.7
-
-
-def _bin(value: float, bounds: tuple[float, ...]) -> int:
-    return sum(value > bound for bound in bounds)
 
 
 def find_arrangements(positions: Array, edges: Array) -> tuple[Arrangement, ...]:
