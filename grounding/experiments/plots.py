@@ -7,6 +7,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
+from grounding.experiments.engines import ADAPTIVE
 from grounding.experiments.errors import ExperimentError
 from grounding.experiments.paper import TABLE_I
 from grounding.experiments.summary import ALL, Record
@@ -73,7 +74,7 @@ def plot_accuracy(records: Sequence[Record], paper: Mapping[str, Any] | None, by
                 line = [r for r in chosen if (r.parse, r.inference, r.measure) == (parse, name, measure)]
                 own = parse == "own"
                 label = NAMES.get(name, name) + (", own parse" if own else "")
-                _curve(axis, line, COLORS.get(name, _GREY), label, "--" if own else "-", "s" if own else "o")
+                _curve(axis, line, name, label, own)
             if paper and by == "random":
                 places = [point[0] for point in paper[measure]]
                 shares = [point[1] for point in paper[measure]]
@@ -94,9 +95,10 @@ def plot_by_blocks(records: Sequence[Record], by: str, parse: str, inference: st
         for axis, measure, title in zip(axes, ("root", "complete"), ("Root", "Complete tree"), strict=True):
             for i, size in enumerate(sizes):
                 line = [r for r in chosen if r.slice == f"{size} blocks" and r.measure == measure]
-                _curve(axis, line, _SIZES[i % len(_SIZES)], f"{size} blocks", "-", "o", band=False)
+                axis.plot([r.holdout for r in line], [r.mean for r in line], "o-", color=_SIZES[i % len(_SIZES)],
+                          label=f"{size} blocks", clip_on=False)  # fmt: skip
             line = [r for r in chosen if r.slice == ALL and r.measure == measure]
-            _curve(axis, line, "#111111", "all", "--", "", band=False)
+            axis.plot([r.holdout for r in line], [r.mean for r in line], "--", color="#111111", label="all")
             _holdout_axis(axis, chosen, title, by)
         axes[0].set_ylabel("accuracy")
         axes[1].tick_params(labelleft=False)
@@ -124,7 +126,7 @@ def plot_efficiency(rows: Sequence[Any], fits: Mapping[str, Any], paper: bool, p
             left.plot(blocks, [row.median for row in line], "o-", color=color, label=told)
             left.fill_between(blocks, [row.median for row in line], [row.p95 for row in line], color=color, alpha=0.15,
                               lw=0)  # fmt: skip
-            right.plot(blocks, [row.evaluations for row in line], "o-", color=color, label=label)
+            right.plot(blocks, [row.evaluations for row in line], "o-", color=color, label=told)
         if paper:
             for name in ("dcg", "adcg"):
                 seconds = [getattr(line, name) for line in TABLE_I.values()]
@@ -142,22 +144,23 @@ def plot_efficiency(rows: Sequence[Any], fits: Mapping[str, Any], paper: bool, p
     return path
 
 
-def _curve(
-    axis: Any, line: Sequence[Record], color: str, label: str, style: str, marker: str, band: bool = True
-) -> None:
+def _curve(axis: Any, line: Sequence[Record], name: str, label: str, own: bool) -> None:
+    """One method; ADCG lies on top with small full marks, so that others show around it where they are as good."""
+    color, first = COLORS.get(name, _GREY), name == ADAPTIVE
     places, means = [r.holdout for r in line], [r.mean for r in line]
-    axis.plot(places, means, style, marker=marker or None, color=color, label=label)
-    if band:
-        low = [r.mean - r.standard_error for r in line]
-        high = [r.mean + r.standard_error for r in line]
-        axis.fill_between(places, low, high, color=color, alpha=0.18, lw=0)
+    axis.plot(places, means, "--" if own else "-", marker="s" if own else "o", color=color, label=label,
+              ms=4.5 if first else 7.5, mfc=color if first else "white", mew=1.2, lw=1.6 if first else 2.4,
+              zorder=3 if first else 2)  # fmt: skip
+    low = [r.mean - r.standard_error for r in line]
+    high = [r.mean + r.standard_error for r in line]
+    axis.fill_between(places, low, high, color=color, alpha=0.15, lw=0)
 
 
 def _holdout_axis(axis: Any, records: Sequence[Record], title: str, by: str) -> None:
     places = sorted({r.holdout for r in records})
     axis.set_title(title)
     axis.set_xlabel("share of worlds held out" if by == "worlds" else "share of instructions held out")
-    axis.set_ylim(0, 1)
+    axis.set_ylim(-0.02, 1.02)
     if len(places) > 1:
         margin = 0.04 * (places[-1] - places[0])
         axis.set_xlim(places[0] - margin, places[-1] + margin)

@@ -30,7 +30,7 @@ def tiny():
     examples = []
     for number, text in enumerate(TREES):
         tree = from_brackets(text)[0]
-        for name, world in worlds.items():
+        for name in worlds:
             try:
                 groundings, outcome = annotate(tree, layouts[name], sorted(layouts[name].evident))
             except NotAnnotatable:

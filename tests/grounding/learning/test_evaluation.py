@@ -59,7 +59,8 @@ def test_another_attachment_is_wrong_where_the_trees_differ_and_nowhere_else():
 
 def test_a_phrase_too_many_is_not_complete():
     tree, gold, _ = read(GOLD)
-    deeper = GOLD.replace("(NP {object(b2)} (DT the) (NN left))", "(NP {object(b2)} (NP {object(b2)} (DT the) (NN left)))")
+    inner = "(NP {object(b2)} (DT the) (NN left))"
+    deeper = GOLD.replace(inner, f"(NP {{object(b2)}} {inner})")
     other, _, hypothesis = read(deeper)
     score = score_tree(tree, gold, other, hypothesis)
     assert (score.right, score.extra) == (score.phrases, 1)
