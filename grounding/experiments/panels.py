@@ -98,10 +98,10 @@ def telling_panels(phrases: Sequence[PhraseGrounding], world: World, most: int =
 
 
 def unsaid_kinds(text: str, symbols: Iterable[Symbol]) -> tuple[str, ...]:
-    """The kinds of the containers among some symbols that no word of a phrase names."""
+    """The kinds of the containers among some symbols that no word of a phrase names, groups last."""
     said = {s.kind for word in text.split() for s in meanings(word) if isinstance(s, Container)}
     kinds = {s.kind for s in symbols if isinstance(s, Container) and s.objects and s.kind != "robot"}
-    return tuple(sorted(kinds - said)) if not said & kinds else ()
+    return tuple(sorted(kinds, key=lambda kind: (kind == "group", kind))) if not said & kinds else ()
 
 
 def _worth(phrase: PhraseGrounding) -> tuple[bool, bool]:
