@@ -67,6 +67,7 @@ def _pick(stage: Stage, objects: Sequence[str], arm: str) -> tuple[Check, ...]:
     def attempt(hand: str) -> None:
         if not free_hands(stage, held_before):
             raise NoPlan("a hand cannot be freed for another try", tuple(objects), "hands")
+        put_back(stage, before, _touched(stage, objects))
         for name in objects:
             remove_leaning(stage, name)
         for plan, name in zip(_plan_picks(stage, objects, hand), objects, strict=True):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import copy
 from collections import Counter
+from typing import NamedTuple
 
 import numpy as np
 
@@ -33,6 +34,32 @@ _HOLDING_TIME = 0.2
 _RESTARTS = 4
 _TURNS_CHECKED = 4
 _LINES = ("approach", "lift", "lower", "retreat")
+
+
+class Taking(NamedTuple):
+    """A grasp that is free, and the lines to it and away from it; see `Attempt.prepare_take`."""
+
+    grasp: Grasp
+    grip: Pose
+    empty: CollisionChecker
+    full: CollisionChecker
+    near: Rules
+    rising: Rules
+    back: list[Array]
+    up: list[Array]
+
+
+class Putting(NamedTuple):
+    """A release that is free, and the lines to it and away from it; see `Attempt.prepare_put`."""
+
+    placed: Scene
+    opening: float
+    full: CollisionChecker
+    empty: CollisionChecker
+    lowering: Rules
+    leaving: Rules
+    down: list[Array]
+    away: list[Array]
 
 
 class Attempt:
@@ -79,25 +106,33 @@ class Attempt:
 
     def take(self, grasp: Grasp, lift: float) -> None:
         """Adds the phases from where the robot is to the box lifted."""
-        self.grasp = grasp
+        self.commit_take(self.prepare_take(grasp, lift))
+
+    def prepare_take(self, grasp: Grasp, lift: float) -> Taking:
+        """How the hand comes to the box and away with it: joints and straight lines, free of contact, not yet timed."""
         empty = self._checker(width=grasp.opening)
         below = self.scene.below(grasp.box)
         near = Rules(hand_clearance=self.clearance, touching=frozenset({grasp.box}), close=below)
-        at_grasp = self._reach(grasp.tool, empty, near)
+        at_grasp = self._reach(grasp.tool, empty, near, self.joints)
         back = self._line(grasp.tool, grasp.backed(APPROACH), at_grasp, empty, near, "approach")
-        box = self.scene.box(grasp.box)
-        grip = grasp.tool.inverse() @ box.pose
+        grip = grasp.tool.inverse() @ self.scene.box(grasp.box).pose
         full = self._checker(width=grasp.width, held=grasp.box, grip=grip)
         beside = full.around_held(at_grasp, CLEARANCE)
         rising = Rules(hand_clearance=self.clearance, resting=self._touched(full, at_grasp), close=below | beside)
         top = Pose(grasp.tool.position + np.array([0, 0, lift]), grasp.tool.orientation)
         up = self._line(grasp.tool, top, at_grasp, full, rising, "lift")
+        return Taking(grasp, grip, empty, full, near, rising, back, up)
+
+    def commit_take(self, taking: Taking) -> None:
+        """Adds what was prepared, timed and verified."""
+        grasp, empty = taking.grasp, taking.empty
+        self.grasp = grasp
         self._home_first()
-        self._add("pregrasp", self._travel("pregrasp", self.joints, back[-1], empty, Rules()), grasp.opening)
-        self._add("approach", self._verified("approach", back[::-1], empty, near), grasp.opening)
+        self._add("pregrasp", self._travel("pregrasp", self.joints, taking.back[-1], empty, Rules()), grasp.opening)
+        self._add("approach", self._verified("approach", taking.back[::-1], empty, taking.near), grasp.opening)
         self._pause("close", _CLOSING_TIME, grasp.width - recipe().gripper.squeeze)
-        self.grip, self.taken = grip, True
-        self._add("lift", self._verified("lift", up, full, rising), self.width)
+        self.grip, self.taken = taking.grip, True
+        self._add("lift", self._verified("lift", taking.up, taking.full, taking.rising), self.width)
 
     def already_holding(self) -> None:
         """The box is in the hand from the start."""
@@ -129,29 +164,45 @@ class Attempt:
     def put(self, goal: Box, support: str) -> None:
         """Adds the phases from the held box to the box at its destination and the arm at home."""
         assert self.grip is not None
+        full = self._checker(width=self._held_width(), held=self.target, grip=self.grip)
+        self.commit_put(self.prepare_put(goal, support, self.grip, full, self._held_width()))
+
+    def prepare_put(self, goal: Box, support: str, grip: Pose, full: CollisionChecker, width: float) -> Putting:
+        """How the hand comes to the destination and away from it: joints and straight lines, not yet timed.
+
+        Args:
+            goal: the box at its destination.
+            support: name of what it will rest on.
+            grip: pose of the box in the tool frame.
+            full: of the hand with the box.
+            width: opening of the gripper with the box in it, metres.
+        """
         assert self.target is not None
-        held_width = self._held_width()
-        tool = goal.pose @ self.grip.inverse()
+        tool = goal.pose @ grip.inverse()
         release = Pose(tool.position + np.array([0, 0, _RELEASE_HEIGHT]), tool.orientation)
         above = Pose(release.position + np.array([0, 0, APPROACH]), tool.orientation)
-        full = self._checker(width=held_width, held=self.target, grip=self.grip)
         below = frozenset({support})
         lowering = Rules(hand_clearance=self.clearance, resting=below, close=below)
-        at_release = self._reach(release, full, lowering)
+        at_release = self._reach(release, full, lowering, None)
         down = self._line(release, above, at_release, full, lowering, "lower")[::-1]
         placed = self.scene.moved({self.target: goal.pose})
-        opening = min(recipe().gripper.opened, held_width + 2 * _RELEASE_ROOM)
+        opening = min(recipe().gripper.opened, width + 2 * _RELEASE_ROOM)
         empty = self._checker(width=opening, scene=placed)
         leaving = Rules(hand_clearance=self.clearance, touching=frozenset({self.target}), close=below)
         back = Pose(release.position - APPROACH * release.rotation[:, 2], release.orientation)
         away = self._line(release, back, at_release, empty, leaving, "retreat")
+        return Putting(placed, opening, full, empty, lowering, leaving, down, away)
+
+    def commit_put(self, putting: Putting) -> None:
+        """Adds what was prepared, timed and verified."""
+        full, empty, opening = putting.full, putting.empty, putting.opening
         rising = Rules(resting=self._touched(full, self.joints))
-        across = self._travel("transfer", self.joints, down[0], full, rising)
+        across = self._travel("transfer", self.joints, putting.down[0], full, rising)
         self._add("transfer", across, self.width)
-        self._add("lower", self._verified("lower", down, full, lowering), self.width)
+        self._add("lower", self._verified("lower", putting.down, full, putting.lowering), self.width)
         self._pause("open", _OPENING_TIME, opening)
-        self.scene, self.grip, self.taken = placed, None, False
-        self._add("retreat", self._verified("retreat", away, empty, leaving), opening)
+        self.scene, self.grip, self.taken = putting.placed, None, False
+        self._add("retreat", self._verified("retreat", putting.away, empty, putting.leaving), opening)
         self._add("home", self._travel("home", self.joints, recipe().home[self.arm], empty, Rules()), opening)
 
     def go_home(self) -> None:
@@ -196,8 +247,8 @@ class Attempt:
             self.scene if scene is None else scene, self.state, self.arm, width=width, held=held, grip=grip
         )
 
-    def _reach(self, tool: Pose, checker: CollisionChecker, rules: Rules) -> Array:
-        """Joints at `tool` that `rules` allow."""
+    def _reach(self, tool: Pose, checker: CollisionChecker, rules: Rules, seed: Array | None) -> Array:
+        """Joints at `tool` that `rules` allow, looked for from `seed` first."""
         conflicts: list[Near] = []
 
         def accept(joints: Array) -> bool:
@@ -207,7 +258,6 @@ class Attempt:
             return near is None
 
         try:
-            seed = self.joints if not self.taken else None
             return solve_ik(self.arm, tool, seed=seed, rng=self.rng, restarts=_RESTARTS, accept=accept).joints
         except UnreachableTarget as error:
             if not conflicts:

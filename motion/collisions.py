@@ -11,12 +11,13 @@ import copy
 import itertools
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
-from typing import NamedTuple
+from functools import lru_cache
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from motion.compiled import scene_model
+from motion.compiled import SceneModel, scene_model
 from motion.engine import mujoco
 from motion.poses import Array, Pose
 from motion.scene import Scene
@@ -94,34 +95,20 @@ class CollisionChecker:
         grip: Pose | None = None,
     ) -> None:
         self._indices = scene_model(scene)
-        self._model = copy.copy(self._indices.model)
-        self._model.opt.enableflags = 0
-        self._data = mujoco.MjData(self._model)
+        space = _workspace(self._indices, held)
+        self._model, self._data, self._mine = space.model, space.data, space.mine
         self._arm = arm
         widths = dict(state.widths)
         if width is not None:
             widths[arm] = width
         self._indices.write_boxes(self._data, scene)
         self._indices.write_robot(self._data, RobotState(state.left, state.right, widths, state.held))
+        self._positions = np.array(self._data.qpos)
         self._held, self._grip = held, grip
         self._hand = self._indices.hand_geoms[arm].copy()
+        if held is not None:
+            self._hand[self._indices.box_geoms[held]] = True
         robot = self._indices.robot_geoms
-        solid = (self._model.geom_contype | self._model.geom_conaffinity) != 0
-        self._model.geom_contype[:] = np.where(robot & solid, _ROBOT, np.where(solid, _THINGS, 0))
-        self._model.geom_conaffinity[:] = np.where(robot & solid, _ROBOT | _THINGS, 0)
-        self._model.geom_margin[robot] = CLEARANCE
-        self._model.geom_gap[:] = 0
-        if held is not None:
-            geom = self._indices.box_geoms[held]
-            self._hand[geom] = True
-            self._model.geom_contype[geom] = _ROBOT
-            self._model.geom_conaffinity[geom] = _ROBOT | _THINGS
-            self._model.geom_margin[geom] = CLEARANCE
-        self._mine = robot.copy()
-        if held is not None:
-            self._mine[self._indices.box_geoms[held]] = True
-        # The broad phase has margins of its own, per body, which compiling would have set.
-        self._model.body_margin[np.unique(self._model.geom_bodyid[self._mine])] = CLEARANCE
         self._boxes = ~robot
         self._held_elsewhere = [
             (self._indices.hand_geoms[side], np.arange(len(robot)) == self._indices.box_geoms[name])
@@ -185,6 +172,7 @@ class CollisionChecker:
     def _place(self, joints: Array) -> None:
         """Moves the arm, and the held box with it, and finds what is near to what."""
         model, data, indices = self._model, self._data, self._indices
+        data.qpos[:] = self._positions
         data.qpos[indices.arm_qpos[self._arm]] = joints
         mujoco.mj_kinematics(model, data)
         if self._held is not None and self._grip is not None:
@@ -220,6 +208,37 @@ class CollisionChecker:
             _both(table, other_hand, box, -np.inf)
         self._tables[rules] = table
         return table
+
+
+class _Workspace(NamedTuple):
+    """What checkers of the same bodies share, each writing all positions before it looks.
+
+    Attributes:
+        model: the MjModel with the margins and the pairs that matter.
+        data: its MjData.
+        mine: (ngeom,) True for the geoms of the robot and of what it holds.
+    """
+
+    model: Any
+    data: Any
+    mine: Flags
+
+
+@lru_cache(maxsize=16)
+def _workspace(indices: SceneModel, held: str | None) -> _Workspace:
+    model = copy.copy(indices.model)
+    model.opt.enableflags = 0
+    mine = indices.robot_geoms.copy()
+    if held is not None:
+        mine[indices.box_geoms[held]] = True
+    solid = (model.geom_contype | model.geom_conaffinity) != 0
+    model.geom_contype[:] = np.where(mine & solid, _ROBOT, np.where(solid, _THINGS, 0))
+    model.geom_conaffinity[:] = np.where(mine & solid, _ROBOT | _THINGS, 0)
+    model.geom_margin[mine] = CLEARANCE
+    model.geom_gap[:] = 0
+    # The broad phase has margins of its own, per body, which compiling would have set.
+    model.body_margin[np.unique(model.geom_bodyid[mine])] = CLEARANCE
+    return _Workspace(model, mujoco.MjData(model), mine)
 
 
 def _both(table: Array, first: Flags, second: Flags, value: float) -> None:

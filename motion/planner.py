@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Iterator
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -16,10 +17,11 @@ from motion.grasps import Grasp, grasp_candidates
 from motion.plans import Plan
 from motion.poses import Array, Pose
 from motion.recipe import recipe
-from motion.scene import Box, Scene
+from motion.scene import LEANING, Box, Scene
 from motion.state import ARMS, RobotState
 
 LIFT = 0.10
+_SHALLOWER = (0.008, 0.014, 0.0)
 _QUARTERS = (0.0, np.pi / 2, -np.pi / 2, np.pi)
 _FREE_TURNS = (0.0, np.pi / 4, -np.pi / 4, np.pi / 2, -np.pi / 2, 3 * np.pi / 4, -3 * np.pi / 4, np.pi)
 
@@ -148,7 +150,10 @@ def _rounds(
 
     First all of them, then the obstructed ones with the fingers opened less, at last those that only lacked a path.
     """
-    yield BRIEF, False, grasp_candidates(scene, target, arms)
+    grasps = grasp_candidates(scene, target, arms)
+    if scene.box(target).lean > LEANING:  # upright again, it brings the fingertips nearer to the table
+        grasps = [replace(grasp, tool=grasp.backed(less)) for less in _SHALLOWER for grasp in grasps]
+    yield BRIEF, False, grasps
     yield BRIEF, True, [grasp.narrowed() for grasp in failures.obstructed()]
     yield THOROUGH, True, failures.without_path()
 
@@ -157,14 +162,27 @@ def _taken_and_put(attempt: Attempt, grasp: Grasp, goals: list[tuple[Box, str]],
     """A plan that uses this grasp for the first of the goals that it can serve, or None, with the failures noted."""
     try:
         attempt.check_put(grasp, goals)
-        attempt.take(grasp, LIFT)
+        taking = attempt.prepare_take(grasp, LIFT)
     except MotionError as error:
         failures.note(grasp, error)
         return None
+    taken = False
     for goal, support in goals:
+        try:
+            putting = attempt.prepare_put(goal, support, taking.grip, taking.full, grasp.width)
+        except MotionError as error:
+            failures.note(grasp, error)
+            continue
+        if not taken:  # timing and verifying come last: they cost the most
+            try:
+                attempt.commit_take(taking)
+            except MotionError as error:
+                failures.note(grasp, error)
+                return None
+            taken = True
         branch = attempt.copy()
         try:
-            branch.put(goal, support)
+            branch.commit_put(putting)
             return branch.finished("place", goal.pose)
         except MotionError as error:
             failures.note(grasp, error)
