@@ -38,7 +38,9 @@ What there is:
 - `Renderer(scene, width, height)`: `render(simulator=None, camera="front", markers=())` gives (height, width, 3) uint8;
   `project(points, camera)` gives pixels for labels; cameras "front", "robot", "top", "side", or a `Camera` of one's
   own; `Marker(position, size, color, shape)`. `rendering_available()` says whether OpenGL can be started.
-- `solve_ik`, `grasp_candidates`, `load_robot`: the steps by themselves.
+- `solve_ik(arm, pose, ...)`, `reachable(arm, poses)`, `servo(arm, joints, pose, dt, ...)` with `Avoidance(scene, arm)`;
+  `load_robot().kinematics(arm)`: kinematics of both hands, see docs/kinematics.md.
+- `grasp_candidates(scene, name)`; `reach_box(scene, name)` for those an arm can make; `reach_map(table)`, a `ReachMap`.
 - Errors: all below `MotionError`; see `motion/errors.py`.
 """
 
@@ -63,10 +65,15 @@ from motion.errors import (
 )
 from motion.faults import Fault, Jam, Push, Slip
 from motion.grasps import Grasp, grasp_candidates
-from motion.ik import IkSolution, solve_ik
+from motion.ik import IkSolution, reachable, solve_ik
+from motion.ik_avoid import Avoidance
+from motion.ik_servo import servo
+from motion.kinematics import ArmKinematics
 from motion.planner import plan_home, plan_pick, plan_place
 from motion.plans import Phase, Plan
 from motion.poses import Pose
+from motion.reach import Reach, reach_box, reach_grasp
+from motion.reach_map import Reachable, ReachMap, reach_map
 from motion.rendering import CAMERAS, Camera, Marker, Renderer, rendering_available
 from motion.robot import Robot, load_robot
 from motion.scene import Box, Scene
@@ -78,6 +85,8 @@ from motion.transport import plan_transport
 
 __all__ = [
     "CAMERAS",
+    "ArmKinematics",
+    "Avoidance",
     "Box",
     "Camera",
     "Execution",
@@ -98,6 +107,9 @@ __all__ = [
     "PlanInCollision",
     "Pose",
     "Push",
+    "Reach",
+    "ReachMap",
+    "Reachable",
     "Renderer",
     "RenderingUnavailable",
     "Robot",
@@ -117,6 +129,11 @@ __all__ = [
     "plan_pick",
     "plan_place",
     "plan_transport",
+    "reach_box",
+    "reach_grasp",
+    "reach_map",
+    "reachable",
     "rendering_available",
+    "servo",
     "solve_ik",
 ]

@@ -46,10 +46,46 @@ class DifferentialIk:
         self._task = mink.FrameTask(f"{arm}_tool", "site", position_cost=1.0, orientation_cost=0.3)
         self._posture = mink.PostureTask(data.model, cost=_POSTURE_COST)
         self._limits = [mink.ConfigurationLimit(data.model, gain=0.95), self._bounded(_LARGEST_STEP)]
+        self._fastest = mink.VelocityLimit(data.model, dict(zip(data.joints, data.limits.velocity, strict=True)))
         self._solver = solver
 
     def _bounded(self, step: float) -> mink.VelocityLimit:
         return mink.VelocityLimit(self._arm.model, dict.fromkeys(self._arm.joints, step))
+
+    def step(
+        self,
+        joints: Array,
+        target: Pose,
+        dt: float,
+        *,
+        posture: Array | None = None,
+        more: Sequence[mink.Limit] = (),
+    ) -> Array:
+        """Joints `dt` seconds later on the way to `target`, no joint faster than the recipe allows.
+
+        Args:
+            joints: (7,) where the arm is, radians.
+            target: where the tool frame shall go.
+            dt: duration of the step, seconds.
+            posture: (7,) joints that the redundant joint is drawn to, radians.
+            more: further limits.
+
+        Raises:
+            mink.NoSolutionFound: no step keeps all limits.
+        """
+        self._configuration.update(np.asarray(joints))
+        tasks = self._tasks(target, posture)
+        limits = [self._limits[0], self._fastest, *more]
+        velocity = mink.solve_ik(self._configuration, tasks, dt, self._solver, damping=_DAMPING, limits=limits)
+        moved = self._configuration.integrate(velocity, dt)
+        return np.asarray(np.clip(moved, self._arm.lower, self._arm.upper))
+
+    def _tasks(self, target: Pose, posture: Array | None) -> list[mink.Task]:
+        self._task.set_target(mink.SE3(np.concatenate([target.orientation, target.position])))
+        if posture is None:
+            return [self._task]
+        self._posture.set_target(np.asarray(posture))
+        return [self._task, self._posture]
 
     def descend(
         self,
@@ -75,11 +111,7 @@ class DifferentialIk:
         """
         configuration, task = self._configuration, self._task
         configuration.update(np.asarray(start))
-        task.set_target(mink.SE3(np.concatenate([target.orientation, target.position])))
-        tasks: list[mink.Task] = [task]
-        if posture is not None:
-            self._posture.set_target(np.asarray(posture))
-            tasks.append(self._posture)
+        tasks = self._tasks(target, posture)
         limits = [*self._limits, *([] if largest is None else [self._bounded(largest)]), *more]
         last = np.inf
         for step in range(steps + 1):
