@@ -1,9 +1,12 @@
 import numpy as np
 import pytest
+from motion_layouts import TABLE
 
+from motion import Avoidance, Box, Scene, reachable
 from motion.errors import InvalidGoal, UnreachableTarget
 from motion.ik import solve_ik, track
 from motion.poses import Pose, about
+from motion.recipe import recipe
 from motion.robot import load_robot
 
 DOWN = np.array([[-1.0, 0, 0], [0, 1, 0], [0, 0, -1]])
@@ -12,20 +15,24 @@ DOWN = np.array([[-1.0, 0, 0], [0, 1, 0], [0, 0, -1]])
 @pytest.mark.parametrize("arm", ["left", "right"])
 def test_forward_kinematics_of_the_solution_is_the_target(arm):
     rng = np.random.default_rng(1)
-    data, found = load_robot().arm(arm), 0
-    for _ in range(40):
+    data = load_robot().arm(arm)
+    for _ in range(200):  # each can be reached, for that is where it comes from
         target = load_robot().tool_pose(arm, rng.uniform(data.lower, data.upper))
-        try:
-            solution = solve_ik(arm, target, rng=rng)
-        except UnreachableTarget:
-            continue
-        found += 1
+        solution = solve_ik(arm, target)
         distance, angle = load_robot().tool_pose(arm, solution.joints).distance(target)
         assert distance < 1e-4
         assert angle < 1e-3
+        assert distance == pytest.approx(solution.position_error, abs=1e-9)
         assert np.all(solution.joints >= data.lower)
         assert np.all(solution.joints <= data.upper)
-    assert found >= 39
+        assert not solution.joints.flags.writeable
+
+
+@pytest.mark.parametrize("stretched", np.linspace(0.05, 0.6, 12))
+def test_nearly_stretched_arms_are_solved(stretched):
+    joints = np.array([0.3, -0.4, 0.2, stretched, -0.5, 0.4, 0.1])
+    target = load_robot().tool_pose("left", joints)
+    assert solve_ik("left", target).position_error < 1e-4
 
 
 def test_all_of_the_table_within_reach_is_reached_from_above():
@@ -47,6 +54,82 @@ def test_solvers_can_be_chosen(solver):
         pytest.skip(f"{solver} is not installed")
     target = Pose.of(DOWN, (0.6, 0.2, 0.8))
     assert solve_ik("left", target, solver=solver).position_error < 1e-4
+
+
+def test_a_solver_that_is_not_there_is_refused_with_those_that_are():
+    with pytest.raises(InvalidGoal, match=r"'simplex'.*lm.*daqp"):
+        solve_ik("left", Pose.of(DOWN, (0.6, 0.2, 0.8)), solver="simplex")
+
+
+@pytest.mark.parametrize("solver", ["lm", "daqp"])
+def test_the_redundant_joint_goes_to_the_posture(solver):
+    target = Pose.of(DOWN, (0.6, 0.2, 0.8))
+    free = solve_ik("left", target, solver=solver).joints
+    for wished in (recipe().home["left"], recipe().home["left"] + [0, 0, 1.2, 0, -0.8, 0, 0]):
+        drawn = solve_ik("left", target, posture=wished, solver=solver)
+        assert drawn.position_error < 1e-4
+        assert np.linalg.norm(drawn.joints - wished) <= np.linalg.norm(free - wished) + 1e-2
+        # Along the one direction that leaves the tool where it is, no step leads nearer to the posture.
+        jacobian = load_robot().kinematics("left").jacobian(drawn.joints)
+        idle = np.linalg.svd(jacobian)[2][6]
+        assert abs(idle @ (wished - drawn.joints)) < 0.05
+
+
+def test_any_frame_of_the_hand_can_be_the_tool():
+    tip = Pose.of(about((1, 0, 0), 0.4), (0.0, 0.02, 0.05))
+    target = Pose.of(DOWN, (0.6, 0.25, 0.85))
+    joints = solve_ik("left", target, tool=tip).joints
+    reached = load_robot().tool_pose("left", joints) @ tip
+    assert reached.distance(target)[0] < 1e-4
+    assert reached.distance(target)[1] < 1e-3
+
+
+def test_many_targets_at_once():
+    targets = [Pose.of(DOWN, (0.6, y, 0.8)) for y in (0.3, 0.1, -0.1)] + [Pose.of(DOWN, (1.4, 0, 0.8))]
+    joints = reachable("left", targets)
+    assert joints.shape == (4, 7)
+    assert np.all(np.isnan(joints[3]))
+    for row, target in zip(joints[:3], targets[:3], strict=True):
+        assert load_robot().tool_pose("left", row).distance(target)[0] < 1e-4
+
+
+def test_what_is_in_the_way_is_named():
+    lid = Box("lid", (0.6, 0.2, 0.95), size=(0.5, 0.5, 0.02), fixed=True)
+    avoid = Avoidance(Scene((TABLE, lid)), "left")
+    with pytest.raises(UnreachableTarget, match=r"only in collision.*lid") as caught:
+        solve_ik("left", Pose.of(DOWN, (0.6, 0.2, 0.85)), avoid=avoid)
+    assert caught.value.reason == "collision"
+    assert "lid" in caught.value.bodies
+
+
+def test_solutions_keep_clear():
+    rng = np.random.default_rng(4)
+    pillar = Box("pillar", (0.45, 0.45, 0.95), size=(0.08, 0.08, 0.45), fixed=True)
+    avoid = Avoidance(Scene((TABLE, pillar)), "left")
+    found = 0
+    for _ in range(20):
+        target = Pose.of(DOWN, (rng.uniform(0.5, 0.7), rng.uniform(0.1, 0.5), rng.uniform(0.75, 0.9)))
+        try:
+            joints = solve_ik("left", target, avoid=avoid).joints
+        except UnreachableTarget:
+            continue
+        found += 1
+        assert avoid.nearest(joints) is None
+        assert load_robot().tool_pose("left", joints).distance(target)[0] < 1e-4
+    assert found > 10
+
+
+def test_an_arm_in_collision_slides_out_along_its_redundant_joint():
+    block = Box("block", (0.3597, 0.3525, 1.2686), size=(0.2651, 0.2726, 0.1775), fixed=True)
+    avoid = Avoidance(Scene((TABLE, block)), "left")
+    target = Pose.of(DOWN, (0.496, 0.1354, 0.8344))
+    start = next(  # a solution that is in collision
+        joints for joints in (solve_ik("left", target).joints,) if avoid.nearest(joints) is not None
+    )
+    slid = avoid.slide(start, target, "daqp")
+    assert slid.reached
+    assert avoid.nearest(slid.joints) is None
+    assert load_robot().tool_pose("left", slid.joints).distance(target)[0] < 1e-4
 
 
 def test_what_is_too_far_says_so():
@@ -71,6 +154,43 @@ def test_refused_solutions_are_reported_as_collisions():
 def test_targets_are_finite():
     with pytest.raises(InvalidGoal, match="finite"):
         solve_ik("left", Pose(np.array([np.nan, 0, 0]), np.array([1, 0, 0, 0])))
+
+
+def test_bad_input_is_refused():
+    target = Pose.of(DOWN, (0.6, 0.2, 0.8))
+    with pytest.raises(InvalidGoal, match="norm 2"):
+        solve_ik("left", Pose(np.array([0.6, 0.2, 0.8]), np.array([2.0, 0, 0, 0])))
+    with pytest.raises(InvalidGoal, match=r"seed.*seven finite"):
+        solve_ik("left", target, seed=[0, 0, np.nan, 0, 0, 0, 0])
+    with pytest.raises(InvalidGoal, match=r"posture.*seven finite"):
+        solve_ik("left", target, posture=[0.0] * 6)
+    with pytest.raises(InvalidGoal, match="at least one start"):
+        solve_ik("left", target, restarts=0)
+    with pytest.raises(InvalidGoal, match="frame in the hand"):
+        solve_ik("left", target, tool=Pose(np.array([np.inf, 0, 0]), np.array([1.0, 0, 0, 0])))
+    with pytest.raises(InvalidGoal, match="'third'"):
+        solve_ik("third", target)
+
+
+@pytest.mark.parametrize("arm", ["left", "right"])
+def test_the_joint_that_is_blamed_is_what_keeps_the_arm_away(arm):
+    robot, rng, errors = load_robot(), np.random.default_rng(6), []
+    data = robot.arm(arm)
+    beyond = np.zeros(7)
+    beyond[5] = 0.5  # the wrist bent further than it can be
+    for _ in range(40):
+        joints = rng.uniform(data.lower, data.upper)
+        joints[5] = data.upper[5]
+        try:
+            solve_ik(arm, robot.tool_pose(arm, joints + beyond))
+        except UnreachableTarget as error:
+            errors.append(error)
+    assert errors
+    for error in errors:
+        assert error.reason == "joint limit"
+        assert error.joints
+        assert set(error.joints) <= set(data.joints)
+        assert all(name in str(error) for name in error.joints)
 
 
 def test_the_same_generator_gives_the_same_solution():
