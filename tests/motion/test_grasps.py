@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from motion_layouts import TABLE, TOP, block
 
-from motion import Box, InvalidGoal, Scene, UnknownBody
+from motion import Box, GraspUnavailable, InvalidGoal, Scene, UnknownBody
 from motion.grasps import TILTS, grasp_candidates
 from motion.poses import about, quaternion
 from motion.recipe import recipe
@@ -76,3 +76,36 @@ def test_what_cannot_be_grasped_is_refused(one_block):
         grasp_candidates(one_block, "table")
     with pytest.raises(UnknownBody):
         grasp_candidates(one_block, "c")
+
+
+def test_neighbours_leave_the_directions_that_are_free():
+    # Between two blocks that stand close, only the faces that look elsewhere are taken.
+    row = Scene((TABLE, *(block(f"b{i}", 0.6, -0.3 + 0.052 * i) for i in range(3))))
+    grasps = grasp_candidates(row, "b1")
+    assert grasps
+    assert all(abs(grasp.tool.rotation[0, 1]) == pytest.approx(1) for grasp in grasps)
+    assert len(grasps) == len(grasp_candidates(Scene((TABLE, block("b1", 0.6, -0.248))), "b1")) / 2
+    assert [grasp.cost for grasp in grasps] == sorted(grasp.cost for grasp in grasps)
+
+
+def test_where_there_is_little_room_the_hand_opens_less():
+    def openings(room):
+        pair = Scene((TABLE, block("b", 0.6, -0.3, edge=0.04), block("c", 0.6, -0.34 - room, edge=0.04)))
+        across = [grasp for grasp in grasp_candidates(pair, "b") if abs(grasp.tool.rotation[1, 1]) > 0.9]
+        return {round(grasp.opening, 4) for grasp in across if grasp.tilt == 0}
+
+    assert openings(0.03) == {0.054}
+    assert openings(0.0195) == {0.046}
+    assert openings(0.01) == set()
+
+
+def test_a_block_walled_in_cannot_be_grasped():
+    grid = [block(f"b{i}{j}", 0.55 + 0.0505 * i, 0.3 + 0.0505 * j) for i in range(3) for j in range(3)]
+    with pytest.raises(GraspUnavailable, match=r"'b11'.*finger.*must be moved first") as caught:
+        grasp_candidates(Scene((TABLE, *grid)), "b11")
+    assert caught.value.bodies[1].startswith("b")
+
+
+def test_there_are_two_hands(one_block):
+    with pytest.raises(InvalidGoal, match="'middle'"):
+        grasp_candidates(one_block, "b", ("middle",))
