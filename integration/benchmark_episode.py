@@ -11,8 +11,8 @@ import numpy as np
 import motion
 from grounding.result import Grounding
 from integration.benchmark_faults import FAULTY_KINDS, FaultCase, draw_fault, fault_name, recoverable, told
-from integration.benchmark_language import SPOKEN_KINDS, draw_spoken
-from integration.benchmark_worlds import Episode, draw_episode
+from integration.benchmark_language import draw_spoken
+from integration.benchmark_worlds import KINDS, Episode, draw_episode
 from integration.checks import AT_GOAL, UNMOVED
 from integration.executor import Executor
 from integration.outlines import distances_outside
@@ -39,23 +39,26 @@ def run_episode(
         language: whether the goal is given in words.
         watch: called with the simulator after every step of physics.
     """
-    kinds = FAULTY_KINDS if faults else SPOKEN_KINDS if language else None
-    options = {} if kinds is None else {"kinds": kinds}
-    text = "a known goal"
-    if language:
-        episode, text = draw_spoken(seed, number)
-    else:
-        episode = draw_episode(seed, number, leaning=faults and fault_name(number) == "leaning", **options)
+    episode = prepared(seed, number, faults, language)
+    text = draw_spoken(seed, number)[1] if language else "a known goal"
     case = draw_fault(seed, episode) if faults else FaultCase()
     planner = _Recorder()
     executor = Executor(seed=number, planner=planner, faults=case.faults, sensor=case.sensor)
     start = time.perf_counter()
     if language:
-        report = executor.run(text, episode.world)
+        report = executor.run(text, episode.world, watch=watch)
     else:
         report = executor.execute(Grounding(text, "grounded", episode.actions), episode.world, watch)
     seconds = time.perf_counter() - start
     return _record(episode, case, report, planner, seconds, text if language else None)
+
+
+def prepared(seed: int, number: int, faults: bool, language: bool) -> Episode:
+    """The world and the goal of an episode."""
+    if language:
+        return draw_spoken(seed, number)[0]
+    kinds = FAULTY_KINDS if faults else KINDS
+    return draw_episode(seed, number, leaning=faults and fault_name(number) == "leaning", kinds=kinds)
 
 
 class _Recorder:
@@ -64,6 +67,7 @@ class _Recorder:
     def __init__(self) -> None:
         self.plans: list[Plan] = []
         self.milliseconds: list[float] = []
+        self.processor: list[float] = []
 
     def plan_pick(self, scene: Scene, target: str, **options: Any) -> Plan:
         """A plan of a pick."""
@@ -75,13 +79,12 @@ class _Recorder:
         return self._noted(lambda: motion.plan_transport(scene, target, position, **options))
 
     def _noted(self, plan: Any) -> tuple[Plan, ...]:
-        start = time.perf_counter()
+        start, processor = time.perf_counter(), time.process_time()
         try:
             plans: tuple[Plan, ...] = plan()
-        except MotionError:
+        finally:
             self.milliseconds.append(1000 * (time.perf_counter() - start))
-            raise
-        self.milliseconds.append(1000 * (time.perf_counter() - start))
+            self.processor.append(1000 * (time.process_time() - processor))
         self.plans += plans
         return plans
 
@@ -115,6 +118,7 @@ def _record(
         "simulated_seconds": round(sum(step.simulated for step in report.steps), 3),
         "timings": {
             "planning_ms": [round(value, 2) for value in planner.milliseconds],
+            "planning_processor_ms": [round(value, 2) for value in planner.processor],
             "simulating_seconds": round(sum(step.seconds for step in moving), 4),
             "seconds": round(seconds, 3),
         },

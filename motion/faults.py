@@ -97,6 +97,11 @@ class Injector:
         self._begun: list[tuple[Fault, str, float]] = []
 
     @property
+    def waiting(self) -> bool:
+        """Whether there are faults that have not begun yet."""
+        return bool(self._waiting)
+
+    @property
     def happened(self) -> tuple[Fault, ...]:
         """The faults that have begun, in that order."""
         return tuple(fault for fault, _, _ in self._begun)

@@ -19,7 +19,7 @@ from motion.braking import braked
 from motion.compiled import scene_model
 from motion.engine import mujoco
 from motion.errors import InvalidGoal, SimulationDiverged
-from motion.faults import Fault, Injector
+from motion.faults import Fault, Injector, Push
 from motion.plans import Phase, Plan
 from motion.poses import Array, Pose
 from motion.recipe import recipe
@@ -109,7 +109,7 @@ class Simulator:
         self._awake: Any = copy.copy(self._model)
         self._awake.opt.enableflags = 0
         self._scratch: Any = mujoco.MjData(self._awake)
-        if faults:  # what sleeps would not notice that it is pushed
+        if any(isinstance(fault, Push) for fault in faults):  # what sleeps would not notice that it is pushed
             self._model = self._awake
         state = RobotState.home() if state is None else state
         self._indices.write_boxes(self._data, scene)
@@ -298,9 +298,8 @@ class Simulator:
             self._reference[arm] = trajectory.positions[k]
             if reason is None:
                 self._width[arm] = before + (phase.gripper - before) * k / whole
-            if self._injector is not None:
-                held = self.holding(arm)
-                self._injector.begin(arm, phase.name, (offset + k) / whole, self.time, held)
+            if self._injector is not None and self._injector.waiting:
+                self._injector.begin(arm, phase.name, (offset + k) / whole, self.time, self.holding(arm))
             self._command(arm, trajectory.velocities[k], trajectory.accelerations[k])
             self._step(on_step)
             error = max(error, self.tracking_error(arm))
