@@ -20,7 +20,7 @@ from integration.report import DONE, Report
 from integration.spots import region_of
 from integration.stage import Watch
 from integration.worlds import scene_of
-from motion import MotionError, Plan, Pose, Scene
+from motion import Plan, Pose, Scene
 from motion.recipe import recipe
 
 _LIFTED = 0.06
