@@ -94,8 +94,8 @@ def report(results: dict[str, Any]) -> str:
         same = [r for r in results["records"] if r[:5] == record[:5]]
         line = [record.by, record.parse, record.inference, f"{record.holdout:.2f}"]
         line += [f"{r.mean:.3f} ± {r.standard_error:.3f}" for r in same]
-        (rows if record.slice == summary.ALL else large).append([*line, record.splits])
-    header = ["split", "parse", "inference", "holdout", "root", "complete", "phrases", "splits"]
+        (rows if record.slice == summary.ALL else large).append([*line, record.splits, round(record.examples, 1)])
+    header = ["split", "parse", "inference", "holdout", "root", "complete", "phrases", "splits", "tested"]
     parts = [text_table(header, rows)]
     if large:
         parts.append(f"worlds of {summary.LARGE_WORLDS}:\n" + text_table(header, large))

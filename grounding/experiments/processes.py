@@ -9,8 +9,10 @@ import multiprocessing
 import os
 import signal
 import sys
+import threading
 import traceback
 from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from multiprocessing.connection import Connection, wait
 from typing import Any, NamedTuple
 
@@ -57,9 +59,10 @@ def in_processes(tasks: Sequence[Task], jobs: int = 1, preload: Sequence[str] = 
                 place, task = waiting.pop()
                 receiver, sender = context.Pipe(duplex=False)
                 process = context.Process(target=_call, args=(sender, task.function, task.arguments), daemon=True)
-                process.start()
-                sender.close()
-                running[receiver] = (place, process)
+                with _interrupts(deferred=True):
+                    process.start()
+                    sender.close()
+                    running[receiver] = (place, process)
             for ready in wait(list(running)):
                 assert isinstance(ready, Connection)
                 place, process = running[ready]
@@ -88,9 +91,29 @@ def _context(preload: Sequence[str]) -> Any:
         os.environ.setdefault(name, "1")
     if "forkserver" not in multiprocessing.get_all_start_methods():
         return multiprocessing.get_context("spawn")
+    from multiprocessing import forkserver  # not everywhere
+
     context = multiprocessing.get_context("forkserver")
     context.set_forkserver_preload(list(preload))
+    with _interrupts(deferred=False):  # the server inherits that it is not to heed them
+        forkserver.ensure_running()
     return context
+
+
+@contextmanager
+def _interrupts(deferred: bool) -> Iterator[None]:
+    """Ctrl-C waits until the end, so that no process is left half begun, or is not heeded at all."""
+    if threading.current_thread() is not threading.main_thread():
+        yield
+        return
+    seen: list[int] = []
+    before = signal.signal(signal.SIGINT, (lambda number, _: seen.append(number)) if deferred else signal.SIG_IGN)
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGINT, before)
+        if seen:
+            raise KeyboardInterrupt
 
 
 def _receive(ready: Connection, process: Any, name: str) -> Any:

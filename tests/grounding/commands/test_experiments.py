@@ -1,6 +1,9 @@
 """`python -m grounding experiments`: files, what is told, and what is refused."""
 
 import json
+import os
+import signal
+import subprocess
 import sys
 
 import pytest
@@ -129,6 +132,20 @@ def test_keep_going_lists_all_and_goes_on_with_the_rest(broken, tmp_path, capsys
     assert "2 refused; going on with the other 4 examples" in told
     results = json.loads((tmp_path / "out" / "accuracy.json").read_text(encoding="utf-8"))
     assert results["corpus"]["examples"] == 4
+
+
+def test_after_an_interrupt_nothing_runs_on(corpus, tmp_path):
+    run = subprocess.Popen(
+        [sys.executable, "-m", "grounding", "experiments", "accuracy", "--corpus", str(corpus), "--output",
+         str(tmp_path), "--splits", "500", "--holdouts", "0.34", "--jobs", "2", "--no-plots"],
+        stderr=subprocess.PIPE, text=True, start_new_session=True,
+    )  # fmt: skip
+    assert run.stderr is not None
+    assert "500 splits" in run.stderr.readline()
+    os.killpg(run.pid, signal.SIGINT)
+    rest = run.stderr.read()
+    assert run.wait(30) == 130
+    assert "Traceback" not in rest
 
 
 XML = """<file>
