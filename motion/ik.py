@@ -129,6 +129,8 @@ def solve_ik(
         refused.append(joints)
         if near is not None:
             conflicts.append(near)
+            if avoid is not None and avoid.hopeless(near):
+                raise in_collision(data, target, [near], len(refused), tried)
     if avoid is not None and conflicts:
         for joints in _mildest(refused, conflicts):
             descent = avoid.slide(joints, target, _SLIDING_SOLVER if solver == LM else solver)

@@ -70,6 +70,13 @@ class Avoidance:
         """The pair that is nearer than the rules allow when the arm is at `joints` (7,), or None."""
         return self._checker.nearest(joints, self._rules)
 
+    def hopeless(self, near: Near) -> bool:
+        """Whether no other joints would help: the hand itself, which the target fixes, is too near to a box."""
+        hand = (f"{self._arm[0]}_gripper", f"{self._arm}_gripper", f"{self._arm}_hand")
+        others = (*self._scene.names, "floor")
+        first, second = near.bodies
+        return (first.startswith(hand) and second in others) or (second.startswith(hand) and first in others)
+
     @property
     def limit(self) -> ContactLimit:
         """The limit for mink on the arm's model."""

@@ -25,7 +25,7 @@ from motion.state import ARMS, RobotState
 
 Checkers = dict[tuple[str, float], CollisionChecker]
 LIFT = 0.10
-RESTARTS = 12
+RESTARTS = 8
 _RESTING = 0.003
 
 

@@ -116,6 +116,7 @@ def reach_map(
     *,
     spacing: float = SPACING,
     progress: bool = True,
+    root: Path | None = None,
 ) -> ReachMap:
     """The map of a table: made once (a minute or so), then kept in the user's cache.
 
@@ -124,6 +125,7 @@ def reach_map(
         size: edges of the block, metres; its first two lie on the table.
         spacing: of the grid, metres.
         progress: whether a bar on standard error shows how far it is.
+        root: where maps are kept, if not in the user's cache.
 
     Raises:
         InvalidScene: the table is not fixed or not level, or the spacing makes no sense.
@@ -151,7 +153,7 @@ def reach_map(
         for name, values in {"x": x, "y": y, "share": share}.items():
             np.save(folder / f"{name}.npy", values)
 
-    folder = cached_folder(key, build)
+    folder = cached_folder(key, build, root)
     x, y, share = (frozen(np.load(folder / f"{name}.npy")) for name in ("x", "y", "share"))
     return ReachMap(table, frozen(size), x, y, share)
 
