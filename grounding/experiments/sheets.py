@@ -42,7 +42,7 @@ def on_sheet(figure: Figure, panels: Sequence[Image.Image]) -> Image.Image:
     width = max((panel.width for panel in panels), default=PANEL)
     rows = [range(i, min(i + across, len(panels))) for i in range(0, len(panels), across)]
     captions = [_caption(panel, i, width) for i, panel in enumerate(figure.panels)]
-    above = [8 + _SAID_LINE * max(len(captions[i]) for i in row) for row in rows]
+    above = [16 + _SAID_LINE * max(len(captions[i]) for i in row) for row in rows]
     below = [max(panels[i].height for i in row) for row in rows]
     total = 2 * _MARGIN + across * width + (across - 1) * _GAP
     lines = wrapped(f"“{figure.title}”", _TITLE, total - 2 * _MARGIN)

@@ -140,11 +140,12 @@ def test_after_an_interrupt_nothing_runs_on(corpus, tmp_path):
          str(tmp_path), "--splits", "500", "--holdouts", "0.34", "--jobs", "2", "--no-plots"],
         stderr=subprocess.PIPE, text=True, start_new_session=True,
     )  # fmt: skip
-    assert run.stderr is not None
-    assert "500 splits" in run.stderr.readline()
-    os.killpg(run.pid, signal.SIGINT)
-    rest = run.stderr.read()
-    assert run.wait(30) == 130
+    with run:
+        assert run.stderr is not None
+        assert "500 splits" in run.stderr.readline()
+        os.killpg(run.pid, signal.SIGINT)
+        rest = run.stderr.read()
+    assert run.returncode == 130
     assert "Traceback" not in rest
 
 
