@@ -11,7 +11,12 @@ import pytest
 ROOT = Path(__file__).parents[1]
 EXAMPLES = sorted((ROOT / "examples").glob("*.py"))
 PAGES = [ROOT / "README.md", ROOT / "CHANGELOG.md", *sorted((ROOT / "docs").glob("*.md"))]
-EXPECTED = {"pick": "Done: b3 is in the right hand", "place": "done - ", "ground_only": "grounded pick "}
+EXPECTED = {
+    "pick": "Done: b3 is in the right hand",
+    "place": "done - ",
+    "ground_only": "grounded pick ",
+    "kinematics": "joint limit: left_e1",
+}
 
 
 def run(example, folder, *arguments):
