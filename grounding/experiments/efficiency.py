@@ -87,13 +87,15 @@ def growth(costs: Sequence[Cost]) -> dict[str, dict[str, float]]:
     Returns:
         `exponent` b of seconds = a n^b and `evaluations_exponent` of evaluations ditto, by least squares between the
         logarithms of medians; `per_block`: the factor by which the time grows with each block, if it grows
-        exponentially. Engines with fewer than two sizes are left out.
+        exponentially; `composed_exponent`: b over the composed worlds, in which the phrases are the same at all sizes.
+        Left out are engines whose largest world is not twice the smallest.
     """
     found = {}
     for name in dict.fromkeys(cost.inference for cost in costs):
-        known = [(c.blocks, c.median, c.evaluations) for c in costs if c.inference == name and c.median]
-        if len({blocks for blocks, *_ in known}) < 2:
+        lines = [c for c in costs if c.inference == name and c.median]
+        if not lines or max(c.blocks for c in lines) < 2 * min(c.blocks for c in lines):
             continue
+        known = [(c.blocks, c.median, c.evaluations) for c in lines]
         n, median, evaluations = np.array(known, dtype=float).T
         seconds, count = np.log(median), np.log(evaluations)
         found[name] = {
@@ -101,6 +103,9 @@ def growth(costs: Sequence[Cost]) -> dict[str, dict[str, float]]:
             "evaluations_exponent": _slope(np.log(n), count),
             "per_block": math.exp(_slope(n, seconds)),
         }
+        composed = [(c.blocks, c.median) for c in lines if c.composed]
+        if len(composed) > 1:
+            found[name]["composed_exponent"] = _slope(*np.log(np.array(composed, dtype=float).T))
     return found
 
 
@@ -156,6 +161,7 @@ def report(results: Mapping[str, Any]) -> str:
     lines = [
         f"{name}: time grows as n^{fit['exponent']:.2f} (by {fit['per_block']:.2f} a block if exponentially), "
         f"evaluations as n^{fit['evaluations_exponent']:.2f}"
+        + (f"; in composed worlds time as n^{fit['composed_exponent']:.2f}" if "composed_exponent" in fit else "")
         for name, fit in results["growth"].items()
     ]
     for line in results["ratios"]:
