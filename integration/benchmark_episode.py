@@ -148,7 +148,8 @@ def _judged(episode: Episode, report: Report) -> dict[str, Any]:
     met = max(errors) <= AT_GOAL
     if action.action == "pick":
         name = action.objects[0]
-        risen = poses[name].position[2] - before.box(name).position[2]
+        lowest = max(box.top for box in before.boxes if box.fixed) + before.box(name).half_extents[2]
+        risen = poses[name].position[2] - lowest
         met = met and risen > _LIFTED and report.state is not None and name in report.state.held.values()
     elif action.action == "clear":
         region = region_of(before, action.objects)

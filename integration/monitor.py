@@ -48,12 +48,16 @@ class Monitor:
     def during(self, phase: Phase) -> Callable[[Simulator], str | None]:
         """What to look for while a phase is carried out: the reason to leave it as "kind: what was noticed"."""
 
+        before: float | None = None
+
         def look(simulator: Simulator) -> str | None:
+            nonlocal before
+            off = simulator.tracking_error(self._plan.arm)
+            before = off if before is None else before  # an arm that was held up may free itself
             self._calls += 1
             if self._calls % _EVERY:
                 return None
-            off = simulator.tracking_error(self._plan.arm)
-            if off > TRACKING:
+            if off > TRACKING + before:
                 return (
                     f"tracking: the {self._plan.arm} arm is {off:.2f} rad from where it should be during {phase.name}"
                 )
