@@ -47,7 +47,6 @@ class Monitor:
 
     def during(self, phase: Phase) -> Callable[[Simulator], str | None]:
         """What to look for while a phase is carried out: the reason to leave it as "kind: what was noticed"."""
-
         before: float | None = None
 
         def look(simulator: Simulator) -> str | None:
