@@ -124,6 +124,7 @@ def likely_symbols(scorer: Scorer, scope: Scope, least: float, tally: Tally) -> 
         tally.add(family.name, space.size, space.judged)
         found.symbols += [symbol for symbol, _ in space.listed]
         found.log_odds += scorer.log_odds(family.name, values, [roles for _, roles in space.listed])
+        count = 0
         for block, dropped in zip(space.blocks, space.dropped, strict=True):
 
             def lookup(names: Sequence[str], column: dict[str, int] = column) -> Array:
@@ -132,15 +133,16 @@ def likely_symbols(scorer: Scorer, scope: Scope, least: float, tally: Tally) -> 
             odds = block.log_odds(lookup)
             odds[list(dropped)] = -np.inf
             places = np.flatnonzero(odds > least)
-            _bounded(family.name, len(places), space.size)
+            count += len(places)
+            _bounded(family.name, count, space.size)
             found.symbols += [block.symbol(int(place)) for place in places]
             found.log_odds += odds[places].tolist()
             odds[places] = -np.inf
             found.rest -= float(np.logaddexp(0.0, odds).sum())
         alike = scorer.log_odds(family.name, values, [roles for roles, _ in space.alike])
-        for (_, count), one in zip(space.alike, alike, strict=True):
-            _bounded(family.name, count if one > 0 else 0, space.size)
-            found.rest -= count * float(np.logaddexp(0.0, one))
+        for (_, number), one in zip(space.alike, alike, strict=True):
+            _bounded(family.name, number if one > 0 else 0, space.size)
+            found.rest -= number * float(np.logaddexp(0.0, one))
     return found
 
 

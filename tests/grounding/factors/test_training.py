@@ -107,3 +107,31 @@ def test_phrases_without_candidates_leave_no_trace():
     data = training_set([(["f1"], [])])
     assert not data.rows
     assert not data.contexts
+
+
+@given(phrases, st.integers(1, 5), st.floats(0, 3), st.integers(0, 99))
+def test_counted_rows_weigh_as_much_as_that_many_single_ones(content, times, penalty, seed):
+    counted, single = TrainingSet(), training_set(content * times)
+    for facts, rows in content:
+        counted.add_counted(facts, [(roles, label, times) for roles, label in rows])
+    if not single.roles:
+        return
+    flat = np.random.default_rng(seed).normal(size=len(single.facts) * len(single.roles))
+    value, gradient = Objective(counted, penalty)(flat)
+    expected, slope = Objective(single, penalty)(flat)
+    assert value == pytest.approx(expected)
+    np.testing.assert_allclose(gradient, slope, atol=1e-9 * (1 + np.abs(slope).max()))
+
+
+@given(phrases, st.floats(0.5, 1e4), st.integers(0, 99))
+def test_the_gradient_of_counted_rows_is_that_of_their_value(content, count, seed):
+    data = TrainingSet()
+    for facts, rows in content:
+        data.add_counted(facts, [(roles, label, count) for roles, label in rows])
+    if not data.roles:
+        return
+    objective = Objective(data, 0.3)
+    flat = np.random.default_rng(seed).normal(size=len(data.facts) * len(data.roles))
+    _, gradient = objective(flat)
+    numeric = optimize.approx_fprime(flat, lambda x: objective(x)[0], 1e-6)
+    np.testing.assert_allclose(gradient, numeric, atol=1e-4 * (1 + np.abs(gradient).max()))

@@ -1,4 +1,4 @@
-"""Measures of shapes: free of scale, place, order and names; a quarter turn makes columns of rows; laid shapes are good."""
+"""Measures of shapes: free of scale, place and order; a quarter turn makes columns of rows; laid shapes are good."""
 
 import numpy as np
 import pytest
@@ -45,7 +45,8 @@ def test_a_batch_is_as_good_as_one_by_one(seed, kind):
     places, members = scattered(seed)
     whole = measured(kind, places, members)
     assert whole.shape == (len(members), len(MEASURES))
-    np.testing.assert_allclose(whole, np.concatenate([measured(kind, places, row[None]) for row in members]), **TOGETHER)
+    single = [measured(kind, places, row[None]) for row in members]
+    np.testing.assert_allclose(whole, np.concatenate(single), **TOGETHER)
 
 
 @given(seeds, kinds)
@@ -74,7 +75,7 @@ def test_scale_says_nothing(seed, kind, scale):
 def test_place_says_nothing(seed, kind, x, y):
     places, members = scattered(seed)
     np.testing.assert_allclose(
-        measured(kind, places, members), measured(kind, places + (x, y, 0.3), members), rtol=1e-4, atol=1e-5
+        measured(kind, places, members), measured(kind, places + np.array((x, y, 0.3)), members), rtol=1e-4, atol=1e-5
     )
 
 
@@ -92,7 +93,8 @@ def test_order_says_nothing(seed, kind):
 @settings(max_examples=40)
 def test_a_mirror_changes_nothing(seed, kind):
     places, members = scattered(seed)
-    np.testing.assert_allclose(measured(kind, places, members), measured(kind, places * (1, -1, 1), members), **TOGETHER)
+    mirrored = places * (1, -1, 1)
+    np.testing.assert_allclose(measured(kind, places, members), measured(kind, mirrored, members), **TOGETHER)
 
 
 @given(seeds)
@@ -174,6 +176,6 @@ def test_a_heap_apart_is_a_group(seed, count):
 
 
 @pytest.mark.parametrize("kind", ARRANGEMENT_KINDS)
-@pytest.mark.parametrize("places", [np.zeros((1, 3)), np.zeros((3, 3)), np.zeros((2, 3)) + (0.3, 0.1, 0.7)])
+@pytest.mark.parametrize("places", [np.zeros((1, 3)), np.zeros((3, 3)), np.full((2, 3), 0.3)])
 def test_a_lone_object_and_objects_in_one_place_do_no_harm(kind, places):
     assert np.isfinite(measured(kind, places)).all()
