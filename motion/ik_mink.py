@@ -132,7 +132,7 @@ class DifferentialIk:
                 break
             configuration.integrate_inplace(velocity, 1.0)
         joints = np.clip(configuration.q, self._arm.lower, self._arm.upper)
-        return Descent(joints, error <= 1, step)
+        return Descent(joints, error <= 1, step, 0.0 if error <= 1 else np.inf)
 
 
 @lru_cache(maxsize=16)
