@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import copy
 from collections import Counter
+from functools import partial
 from typing import NamedTuple
 
 import numpy as np
 
-from motion.collisions import CLEARANCE, CLOSE, SEARCH_GRID, CollisionChecker, Near, Rules
+from motion.collisions import CLEARANCE, CLOSE, GRID, SEARCH_GRID, CollisionChecker, Near, Rules
 from motion.errors import MotionError, PlanInCollision, UnreachableTarget
 from motion.grasps import Grasp
 from motion.ik import solve_ik
@@ -18,6 +19,7 @@ from motion.poses import Array, Pose
 from motion.recipe import recipe
 from motion.robot import load_robot
 from motion.scene import Box, Scene
+from motion.smoothing import smoothed
 from motion.state import RobotState
 from motion.timing import KNOT_SPACINGS, LINE_SPACING, Trajectory, check_limits, rest, timed
 
@@ -279,13 +281,27 @@ class Attempt:
         return path
 
     def _travel(self, phase: str, first: Array, last: Array, checker: CollisionChecker, rules: Rules) -> Trajectory:
-        """A verified trajectory from `first` to `last`, searched for on the coarse grid first, then on the fine."""
-        path = connect(checker, self.arm, first, last, rules, self.rng, phase, self.expansions, SEARCH_GRID)
-        try:
-            return self._verified(phase, path, checker, rules)
-        except PlanInCollision:
-            path = connect(checker, self.arm, first, last, rules, self.rng, phase, self.expansions)
-            return self._verified(phase, path, checker, rules)
+        """A verified trajectory from `first` to `last`, searched for on the coarse grid first, then on the fine.
+
+        A path that is not straight is smoothed; of both, the one with the quicker trajectory is taken.
+        """
+        arm = self._robot.arm(self.arm)
+        error: PlanInCollision | None = None
+        for grid in (SEARCH_GRID, GRID):
+            path = connect(checker, self.arm, first, last, rules, self.rng, phase, self.expansions, grid)
+            options = [path]
+            if len(path) > 2:
+                options.insert(0, smoothed(path, checker, rules, arm, partial(checker.free, rules=rules, grid=grid)))
+            found = []
+            for option in options:
+                try:
+                    found.append(self._verified(phase, option, checker, rules))
+                except PlanInCollision as refusal:
+                    error = refusal
+            if found:
+                return min(found, key=lambda trajectory: trajectory.duration)
+        assert error is not None
+        raise error
 
     def _touched(self, checker: CollisionChecker, joints: Array) -> frozenset[str]:
         """Names of what the held box touches at `joints`."""

@@ -135,6 +135,45 @@ class CollisionChecker:
         x, y, z = self._data.contact.pos[worst].tolist()
         return Near((self._indices.bodies[first], self._indices.bodies[second]), float(distances[worst]), (x, y, z))
 
+    def distances(self, joints: Array, rules: Rules, within: float) -> list[tuple[float, float, Array]]:
+        """Pairs of bodies that are near when the arm is at `joints` (7,).
+
+        Args:
+            joints: radians.
+            rules: what may be near to what.
+            within: how near, metres.
+
+        Returns:
+            the distance of each pair and what `rules` ask for in metres, and the slope of the distance over the joints,
+            (7,) in metres a radian, by the Jacobians of both bodies at the place between them.
+        """
+        space = _workspace(self._indices, self._held, within)
+        here, self._model, self._data = (self._model, self._data), space.model, space.data
+        try:
+            self._place(joints)
+            mujoco.mj_comPos(space.model, space.data)
+            return self._sloped(self._required(rules))
+        finally:
+            self._model, self._data = here
+
+    def _sloped(self, required: Array) -> list[tuple[float, float, Array]]:
+        model, data = self._model, self._data
+        dofs = self._indices.arm_dof[self._arm]
+        found = []
+        for contact in data.contact[: data.ncon]:
+            wanted = float(required[contact.geom[0], contact.geom[1]])
+            if not np.isfinite(wanted):
+                continue
+            slope = np.zeros(7)
+            for geom, sign in zip(contact.geom, (-1.0, 1.0), strict=True):
+                body = model.site_bodyid[self._site] if geom == self._held_geom else model.geom_bodyid[geom]
+                jacobian = np.zeros((3, model.nv))
+                mujoco.mj_jac(model, data, jacobian, None, contact.pos, body)
+                slope += sign * (contact.frame[:3] @ jacobian[:, dofs])
+            if np.any(np.abs(slope) > 1e-9):
+                found.append((float(contact.dist), wanted, slope))
+        return found
+
     def around_held(self, joints: Array, distance: float) -> frozenset[str]:
         """Names of the bodies other than the robot that are within `distance` of the held box at `joints` (7,)."""
         self._place(joints)
@@ -225,7 +264,7 @@ class _Workspace(NamedTuple):
 
 
 @lru_cache(maxsize=16)
-def _workspace(indices: SceneModel, held: str | None) -> _Workspace:
+def _workspace(indices: SceneModel, held: str | None, margin: float = CLEARANCE) -> _Workspace:
     model = copy.copy(indices.model)
     model.opt.enableflags = 0
     mine = indices.robot_geoms.copy()
@@ -234,10 +273,10 @@ def _workspace(indices: SceneModel, held: str | None) -> _Workspace:
     solid = (model.geom_contype | model.geom_conaffinity) != 0
     model.geom_contype[:] = np.where(mine & solid, _ROBOT, np.where(solid, _THINGS, 0))
     model.geom_conaffinity[:] = np.where(mine & solid, _ROBOT | _THINGS, 0)
-    model.geom_margin[mine] = CLEARANCE
+    model.geom_margin[mine] = margin
     model.geom_gap[:] = 0
     # The broad phase has margins of its own, per body, which compiling would have set.
-    model.body_margin[np.unique(model.geom_bodyid[mine])] = CLEARANCE
+    model.body_margin[np.unique(model.geom_bodyid[mine])] = margin
     return _Workspace(model, mujoco.MjData(model), mine)
 
 

@@ -18,7 +18,7 @@ from motion.errors import LimitViolation
 from motion.poses import Array, frozen
 from motion.recipe import JointLimits, recipe
 
-KNOT_SPACINGS = (0.8, 0.4, 0.2, 0.1)
+KNOT_SPACINGS = (0.8, 0.4, 0.2, 0.1, 0.05)
 """Distances between a curve's knots in joint space, radians: the wider, the quicker and the farther it cuts corners."""
 LINE_SPACING = 0.05
 """The same for straight lines of the tool, which allow no short cuts."""
