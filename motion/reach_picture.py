@@ -47,7 +47,7 @@ def reach_picture(reach: ReachMap) -> Image.Image:
                 _cell(draw, reach, corner, scale, (float(x), float(y)), color)
         _axes(draw, reach, corner, scale, high)
     below = _TITLE + high + _AXIS + 14
-    _legend(draw, (left, below), [("left", _LEFT), ("both", _BOTH), ("right", _RIGHT), ("none", _NONE)])
+    _legend(draw, (left, below), [("left", _LEFT), ("both alike", _BOTH), ("right", _RIGHT), ("none", _NONE)])
     _text(draw, (left, below + 50), "Paler: only some turns of the block can be taken.", 14, _GREY, "ls")
     tilts = [(f"{np.degrees(tilt):.0f} degrees", color) for tilt, color in zip(STEEPNESS, _TILTS, strict=True)]
     _legend(draw, (left + _WIDE + _GAP + _AXIS, below), [*tilts, ("out of reach", _NONE)])
