@@ -1,6 +1,7 @@
 """Candidate grasps of a box: which faces the paddles close on, from which side, how far tilted, with which hand.
 
-Where a neighbour is in the fingers' way the hand opens less; where that does not help either, the grasp is left out.
+Where a neighbour is in the fingers' way the hand opens less, or takes the box nearer to one end of its faces; where
+that does not help either, the grasp is left out.
 
 The tool's z axis points from the palm to the fingertips, its y axis along the closing. A box may lie on any face: the
 closing axis is an edge of the box that is nearly horizontal, the approach comes from above, tilted about the closing
@@ -37,6 +38,9 @@ _NARROW_ROOM = 0.003
 _LEAST_ROOM = 0.002
 _LEVEL = 0.26
 _FINGERS_REACH = 0.14
+_FINGER_ON_FACE = 0.009
+_FARTHEST_ASIDE = 0.016
+_ASIDE_COST = 0.8
 
 
 @dataclass(frozen=True, eq=False)
@@ -104,7 +108,7 @@ def grasp_candidates(scene: Scene, name: str, arms: tuple[str, ...] = ARMS) -> l
             name,
         )
     grasps = [grasp for axis in fitting for grasp in _about_axis(box, axis, arms)]
-    return sorted(_among(grasps, _neighbours(scene, box)), key=lambda grasp: grasp.cost)
+    return sorted(_among(grasps, box, _neighbours(scene, box)), key=lambda grasp: grasp.cost)
 
 
 def _neighbours(scene: Scene, box: Box) -> list[Box]:
@@ -117,8 +121,8 @@ def _neighbours(scene: Scene, box: Box) -> list[Box]:
     return near
 
 
-def _among(grasps: list[Grasp], neighbours: list[Box]) -> list[Grasp]:
-    """The grasps whose fingers, opened less if need be, overlap no neighbour.
+def _among(grasps: list[Grasp], box: Box, neighbours: list[Box]) -> list[Grasp]:
+    """The grasps whose fingers, opened less or moved along the box if need be, overlap no neighbour.
 
     Raises:
         GraspUnavailable: there is none.
@@ -135,6 +139,9 @@ def _among(grasps: list[Grasp], neighbours: list[Box]) -> list[Grasp]:
         still = _obstacles(arm, narrow, neighbours)
         free += [grasp for grasp, pair in zip(narrow, still, strict=True) if pair is None]
         conflicts.update(pair for pair in still if pair is not None)
+        blocked = [grasp for grasp, pair in zip(narrow, still, strict=True) if pair is not None]
+        aside = [beside for grasp in blocked for beside in _beside(box, grasp)]
+        free += [grasp for grasp, pair in zip(aside, _obstacles(arm, aside, neighbours), strict=True) if pair is None]
     if not free:
         bodies = conflicts.most_common(1)[0][0]
         raise GraspUnavailable(
@@ -144,6 +151,17 @@ def _among(grasps: list[Grasp], neighbours: list[Box]) -> list[Grasp]:
             bodies,
         )
     return free
+
+
+def _beside(box: Box, grasp: Grasp) -> Iterator[Grasp]:
+    """The same grasp moved along the faces it closes on, the fingers still well on them."""
+    along = grasp.tool.rotation[:, 0].copy()
+    along[2] = 0.0
+    along /= np.linalg.norm(along)
+    most = min(float(np.abs(along @ box.axes) @ box.size / 2) - _FINGER_ON_FACE, _FARTHEST_ASIDE)
+    for shift in (most, -most) if most > 0 else ():
+        tool = Pose(grasp.tool.position + shift * along, grasp.tool.orientation)
+        yield replace(grasp, tool=tool, cost=grasp.cost + _ASIDE_COST)
 
 
 def _obstacles(arm: str, grasps: list[Grasp], neighbours: list[Box]) -> list[Pair | None]:

@@ -99,6 +99,14 @@ def test_where_there_is_little_room_the_hand_opens_less():
     assert openings(0.01) == set()
 
 
+def test_a_finger_that_a_corner_blocks_goes_beside_it():
+    corner = Box("corner", (0.6, -0.243, TOP + 0.025), (np.cos(np.pi / 8), 0, 0, np.sin(np.pi / 8)), (0.03, 0.03, 0.05))
+    scene = Scene((TABLE, block("b", 0.6, -0.3), corner))
+    across = [grasp for grasp in grasp_candidates(scene, "b") if abs(grasp.tool.rotation[1, 1]) > 0.9]
+    aside = [grasp.tool.position[0] - 0.6 for grasp in across if grasp.tilt == 0]
+    assert set(np.round(aside, 3)) == {0.016, -0.016}
+
+
 def test_a_block_walled_in_cannot_be_grasped():
     grid = [block(f"b{i}{j}", 0.55 + 0.0505 * i, 0.3 + 0.0505 * j) for i in range(3) for j in range(3)]
     with pytest.raises(GraspUnavailable, match=r"'b11'.*finger.*must be moved first") as caught:
