@@ -158,20 +158,24 @@ class CollisionChecker:
 
     def _sloped(self, required: Array) -> list[tuple[float, float, Array]]:
         model, data = self._model, self._data
-        dofs = self._indices.arm_dof[self._arm]
+        if data.ncon == 0:
+            return []
+        pairs, gaps = data.contact.geom, data.contact.dist
+        wanted = required[pairs[:, 0], pairs[:, 1]]
+        together = self._hand[pairs[:, 0]] & self._hand[pairs[:, 1]]
+        normals, places = data.contact.frame[:, :3], data.contact.pos
+        dofs, jacobian = self._indices.arm_dof[self._arm], np.zeros((3, model.nv))
         found = []
-        for contact in data.contact[: data.ncon]:
-            wanted = float(required[contact.geom[0], contact.geom[1]])
-            if not np.isfinite(wanted):
-                continue
+        for k in np.flatnonzero(np.isfinite(wanted) & ~together):
             slope = np.zeros(7)
-            for geom, sign in zip(contact.geom, (-1.0, 1.0), strict=True):
+            for geom, sign in zip(pairs[k], (-1.0, 1.0), strict=True):
+                if not self._mine[geom]:
+                    continue
                 body = model.site_bodyid[self._site] if geom == self._held_geom else model.geom_bodyid[geom]
-                jacobian = np.zeros((3, model.nv))
-                mujoco.mj_jac(model, data, jacobian, None, contact.pos, body)
-                slope += sign * (contact.frame[:3] @ jacobian[:, dofs])
+                mujoco.mj_jac(model, data, jacobian, None, places[k], body)
+                slope += sign * (normals[k] @ jacobian[:, dofs])
             if np.any(np.abs(slope) > 1e-9):
-                found.append((float(contact.dist), wanted, slope))
+                found.append((float(gaps[k]), float(wanted[k]), slope))
         return found
 
     def around_held(self, joints: Array, distance: float) -> frozenset[str]:
