@@ -22,7 +22,7 @@ from typing import Any
 import numpy as np
 from ik_baselines import Solve, brute_force, damped_least_squares, installed, met, with_mink, with_pink
 
-from motion import Box, Pose, Scene, UnreachableTarget, grasp_candidates, load_robot, solve_ik
+from motion import Box, GraspUnavailable, Pose, Scene, UnreachableTarget, grasp_candidates, load_robot, solve_ik
 from motion.collisions import Rules
 from motion.ik_avoid import Avoidance
 from motion.outlines import overlap
@@ -72,7 +72,9 @@ def measured(
         if number % 50 == 0:
             _say(f"{name}: {number} of {len(poses)}")
     _say("", end=True)
-    return {"solver": name, "poses": len(poses), "success": round(succeeded / len(poses), 5), **_times(wall, cpu)}
+    row = {"solver": name, "poses": len(poses), "success": round(succeeded / len(poses), 5), **_times(wall, cpu)}
+    print(row, file=sys.stderr, flush=True)
+    return row
 
 
 def ours(arm: str, pose: Pose) -> np.ndarray | None:
@@ -89,15 +91,17 @@ def grasps_over_the_table(count: int, rng: np.random.Generator) -> dict[str, Any
     while tried < count:
         scene = _twelve_blocks(rng)
         for name in scene.names[1:]:
-            grasps = [grasp for grasp in grasp_candidates(scene, name) if grasp.tilt == 0]
-            if tried >= count or not grasps:
-                continue
+            try:
+                grasp = next(grasp for grasp in grasp_candidates(scene, name) if grasp.tilt == 0)
+            except (GraspUnavailable, StopIteration):
+                continue  # its neighbours leave no room for the fingers
+            if tried >= count:
+                break
             near = Rules(touching=frozenset({name}), close=scene.below(name))
-            avoids = {g.opening: Avoidance(scene, g.arm, rules=near, width=g.opening) for g in grasps[:1]}
-            avoid = avoids[grasps[0].opening]
+            avoid = Avoidance(scene, grasp.arm, rules=near, width=grasp.opening)
             begin, used = time.perf_counter(), time.thread_time()
             try:
-                solve_ik(grasps[0].arm, grasps[0].tool, avoid=avoid)
+                solve_ik(grasp.arm, grasp.tool, avoid=avoid)
             except UnreachableTarget as error:
                 if error.reason != "collision":
                     continue  # not over the part of the table that this hand reaches from above
