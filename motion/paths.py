@@ -1,11 +1,10 @@
 """Paths of one arm that are free of contact: straight in joint space, over a via point, or found by sampling.
 
-The sampling planner is RRT-Connect (Kuffner and LaValle, 2000) with shortcuts afterwards.
+What is found by sampling is shortened by straight lines where those are free.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from functools import partial
 
 import numpy as np
@@ -16,13 +15,10 @@ from motion.ik import track
 from motion.poses import Array, Pose
 from motion.recipe import recipe
 from motion.robot import load_robot
+from motion.sampling import Free, sampled
 
-_STEP = 0.35
 _SHORTCUTS = 40
 _LINE_STEP = 0.005
-
-Free = Callable[[Array, Array], bool]
-"""Whether the straight line between two configurations is free."""
 
 
 def connect(
@@ -64,12 +60,16 @@ def connect(
                 near.place,
             )
     free = partial(checker.free, rules=rules, grid=grid)
+
+    def valid(joints: Array) -> bool:
+        return checker.nearest(joints, rules) is None
+
     if free(start, goal):
         return [start, goal]
     home = recipe().home[arm]
     if free(start, home) and free(home, goal):
         return _shortened(free, [start, home, goal], rng)
-    path = _rrt_connect(free, arm, start, goal, rng, expansions)
+    path = sampled(load_robot().arm(arm), free, valid, start, goal, rng, expansions, grid)
     if path is None:
         raise PathNotFound(
             f"no way was found for {phase} of the {arm} arm in {expansions} expansions, "
@@ -103,67 +103,6 @@ def describe(near: Near) -> str:
     if near.distance < 0:
         return f"{first} and {second} overlap by {-1000 * near.distance:.1f} mm"
     return f"{first} and {second} are {1000 * near.distance:.1f} mm apart"
-
-
-class _Tree:
-    def __init__(self, root: Array) -> None:
-        self.nodes = [root]
-        self.parents = [-1]
-
-    def nearest(self, point: Array) -> int:
-        return int(np.argmin(np.max(np.abs(np.array(self.nodes) - point), axis=1)))
-
-    def add(self, point: Array, parent: int) -> int:
-        self.nodes.append(point)
-        self.parents.append(parent)
-        return len(self.nodes) - 1
-
-    def branch(self, node: int) -> list[Array]:
-        """From the node to the root."""
-        path = []
-        while node >= 0:
-            path.append(self.nodes[node])
-            node = self.parents[node]
-        return path
-
-
-def _rrt_connect(
-    free: Free, arm: str, start: Array, goal: Array, rng: np.random.Generator, expansions: int
-) -> list[Array] | None:
-    data = load_robot().arm(arm)
-    trees = [_Tree(start), _Tree(goal)]
-    middle, spread = (start + goal) / 2, np.abs(goal - start) / 2 + 0.6
-    for count in range(expansions):
-        # First near the two ends, later anywhere.
-        reach = spread * (1 + count / 40)
-        sample = np.clip(middle + rng.uniform(-reach, reach), data.lower, data.upper)
-        growing, other = trees[count % 2], trees[1 - count % 2]
-        node = _extend(free, growing, sample)
-        if node is None:
-            continue
-        target = growing.nodes[node]
-        meeting: int | None = None
-        while True:
-            following = _extend(free, other, target, meeting)
-            if following is None:
-                break
-            meeting = following
-            if np.max(np.abs(other.nodes[meeting] - target)) < 1e-9:
-                a, b = growing.branch(node), other.branch(meeting)
-                joined = a[::-1] + b[1:]
-                return joined if count % 2 == 0 else joined[::-1]
-    return None
-
-
-def _extend(free: Free, tree: _Tree, target: Array, source: int | None = None) -> int | None:
-    """Grows the tree one step towards `target`; the new node, or None when that step is not free."""
-    near = tree.nearest(target) if source is None else source
-    origin = tree.nodes[near]
-    gap = float(np.max(np.abs(target - origin)))
-    if gap < 1e-9:
-        return near
-    point = target if gap <= _STEP else origin + (target - origin) * (_STEP / gap)
-    return tree.add(point, near) if free(origin, point) else None
 
 
 def _shortened(free: Free, path: list[Array], rng: np.random.Generator) -> list[Array]:
