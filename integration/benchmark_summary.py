@@ -43,6 +43,11 @@ def summarised(records: Sequence[dict[str, Any]]) -> dict[str, Any]:
             for record in records
             if record["timings"]["simulating_seconds"] > 0
         ),
+        "times_real_time_by_processor": distribution(
+            record["simulated_seconds"] / (timings["processor_seconds"] - sum(timings["planning_processor_ms"]) / 1000)
+            for record in records
+            if "processor_seconds" in (timings := record["timings"])
+        ),
     }
     if any(record["fault"] != "none" for record in records):
         summary["faults"] = _of_faults(records)

@@ -49,6 +49,8 @@ def summary(report: Report, style: Style | None = None) -> str:
     blocks = [[style.paint(report.instruction, "1")], _understood(report.grounding, style)]
     if report.handled:
         blocks.append(_moved(report))
+    if report.incidents:
+        blocks.append(["Incidents", *(f"  {one.seconds:6.2f} s  {one.kind}: {one.message}" for one in report.incidents)])
     if report.checks:
         blocks.append(_checked(report.checks, style))
     if report.pictures:
