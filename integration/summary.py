@@ -50,7 +50,8 @@ def summary(report: Report, style: Style | None = None) -> str:
     if report.handled:
         blocks.append(_moved(report))
     if report.incidents:
-        blocks.append(["Incidents", *(f"  {one.seconds:6.2f} s  {one.kind}: {one.message}" for one in report.incidents)])
+        lines = [f"  {one.seconds:6.2f} s  {one.kind}: {one.message}" for one in report.incidents]
+        blocks.append(["Incidents", *lines])
     if report.checks:
         blocks.append(_checked(report.checks, style))
     if report.pictures:
