@@ -193,7 +193,7 @@ class Simulator:
 
     def tracking_error(self, arm: str) -> float:
         """Largest deviation of a joint from where it should be, radians."""
-        return float(np.max(np.abs(self.joints(arm) - self._reference[arm])))
+        return float(np.abs(self._data.qpos[self._indices.arm_qpos[arm]] - self._reference[arm]).max())
 
     def contacts(self) -> tuple[tuple[str, str], ...]:
         """Pairs of bodies that touch now, sorted; a body is a box, a link of the robot, or "floor"."""
@@ -323,10 +323,8 @@ class Simulator:
         closed, step = recipe().gripper.closed, model.opt.timestep
         for arm in ARMS:
             deviation = self._reference[arm] - data.qpos[indices.arm_qpos[arm]]
-            self._integral[arm] = np.clip(
-                self._integral[arm] + _INTEGRAL_RATE * step * deviation, -_INTEGRAL_BOUND, _INTEGRAL_BOUND
-            )
-            lead = self._integral[arm]
+            lead = self._integral[arm] + _INTEGRAL_RATE * step * deviation
+            lead = self._integral[arm] = np.minimum(np.maximum(lead, -_INTEGRAL_BOUND), _INTEGRAL_BOUND)
             if arm == moving:
                 self._acceleration[indices.arm_dof[arm]] = acceleration
                 mujoco.mj_mulM(model, data, self._torque, self._acceleration)
