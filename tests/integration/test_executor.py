@@ -200,3 +200,27 @@ def test_the_simulation_can_be_watched():
     Executor().execute(grounded("pick", "b3"), scene("four"), watch=lambda simulator: times.append(simulator.time))
     assert len(times) > 1000
     assert times == sorted(times)
+
+
+@pytest.mark.parametrize(
+    ("action", "names", "position", "reason"),
+    [
+        ("pick", ("ghost",), None, "InvalidGoal"),
+        ("pick", ("wide",), None, "InvalidGoal"),
+        ("place", ("b1",), (float("nan"), 0.0, 0.736), "InvalidGoal"),
+        ("place", ("b1",), (0.5736, -0.1377, 0.736), "InvalidGoal"),  # inside b3
+        ("place", ("b1",), (0.6, 0.95, 0.736), "InvalidGoal"),  # off the table
+        ("place", ("b1",), (0.6, 0.1, 0.9), "InvalidGoal"),  # in the air
+    ],
+)
+def test_goals_that_make_no_sense_are_refused_before_anything_moves(action, names, position, reason):
+    world = scene("four")
+    wide = make_object("wide", position=(0.5, 0.2, 0.741), size=(0.06, 0.06, 0.06))
+    world = world.with_objects([*world.objects, wide])
+    to = None if position is None else Destination(position)
+    report = Executor().execute(grounded(action, *names, to=to), world)
+    assert (report.outcome, report.exit_code, report.reason) == ("no_plan", 4, reason)
+    assert names[0] in report.message
+    assert report.handled == ()
+    for item in world.objects:
+        assert report.truth[item.id].position == pytest.approx(item.position, abs=1e-3)
