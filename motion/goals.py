@@ -81,7 +81,8 @@ def checked_destination(scene: Scene, name: str, position: ArrayLike, turn: floa
     point = np.asarray(position, dtype=np.float64)
     if point.shape != (3,) or not np.all(np.isfinite(point)) or not np.isfinite(turn):
         raise InvalidGoal(
-            f"the destination of {name!r} must be three finite numbers and a finite yaw, not {point.tolist()} and {turn}",
+            f"the destination of {name!r} must be three finite numbers and a finite yaw, not {point.tolist()} and "
+            f"{turn}",
             name,
         )
     goal = turned(scene.box(name), point, turn)
