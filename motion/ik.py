@@ -21,8 +21,8 @@ from numpy.typing import ArrayLike
 from motion.collisions import Near
 from motion.errors import InvalidGoal
 from motion.ik_avoid import Avoidance
-from motion.ik_mink import ORIENTATION_TOLERANCE, POSITION_TOLERANCE, differential_ik
-from motion.ik_newton import Descent, descend, persist, settle
+from motion.ik_mink import differential_ik
+from motion.ik_newton import ORIENTATION_TOLERANCE, POSITION_TOLERANCE, Descent, descend, persist, settle
 from motion.ik_reasons import checked_distance, in_collision, out_of_reach, too_far
 from motion.ik_seeds import SeedTable
 from motion.poses import Array, Pose, frozen
@@ -34,7 +34,7 @@ LM = "lm"
 RESTARTS = 30
 _NEARLY = 1e-2
 """Starts that end with less than this left (squared metres and radians) are worth a slower, surer descent."""
-_PERSISTENT = 2
+_PERSISTENT = 3
 _SLIDES = 2
 _SLIDING_SOLVER = "daqp"
 _LINE_STEPS = 8

@@ -15,12 +15,10 @@ import mink
 import numpy as np
 
 from motion.errors import InvalidGoal
-from motion.ik_newton import Descent
+from motion.ik_newton import ORIENTATION_TOLERANCE, POSITION_TOLERANCE, Descent
 from motion.poses import Array, Pose
 from motion.robot import load_robot
 
-POSITION_TOLERANCE = 1e-4
-ORIENTATION_TOLERANCE = 1e-3
 STEPS = 40
 _LARGEST_STEP = 0.6
 _DAMPING = 1e-5

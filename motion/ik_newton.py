@@ -17,6 +17,11 @@ from scipy.linalg.lapack import dposv
 from motion.kinematics import LAST, ArmKinematics
 from motion.poses import Array
 
+POSITION_TOLERANCE = 1e-4
+"""Distance from its target at which the tool has reached it, metres."""
+ORIENTATION_TOLERANCE = 1e-3
+"""The same for its orientation, radians."""
+
 _DAMPING = 1e-6
 _DAMPING_BY_ERROR = 0.01
 _LARGEST_STEP = 0.8
@@ -87,10 +92,11 @@ def descend(
     return Descent(joints, left < _GOOD, step, left)
 
 
-def persist(kinematics: ArmKinematics, target: Any, start: Array, steps: int = 60) -> Descent:
+def persist(kinematics: ArmKinematics, target: Any, start: Array, steps: int = 100) -> Descent:
     """Like `descend`, but a step that leads away is taken back and damped more (Marquardt, 1963).
 
-    Slower, and surer where the arm is nearly stretched: there the plain step overshoots.
+    Slower, and surer where the arm is nearly stretched: there the plain step overshoots. What ends within tolerances
+    has reached the target: at the very edge of its reach the arm gets no closer.
 
     Args:
         kinematics: the arm.
@@ -113,7 +119,7 @@ def persist(kinematics: ArmKinematics, target: Any, start: Array, steps: int = 6
             break
         solved = _solved(jacobian, error, damping)
         moved = _moved(joints, solved, jacobian, error, damping, kinematics.lower, kinematics.upper)
-    return Descent(joints, left < _GOOD, steps, left)
+    return Descent(joints, left < _GOOD or _within(kinematics, target, joints), steps, left)
 
 
 def settle(kinematics: ArmKinematics, target: Any, joints: Array, posture: Array, steps: int = 12) -> Array:
@@ -143,6 +149,13 @@ def settle(kinematics: ArmKinematics, target: Any, joints: Array, posture: Array
             break
         joints, distance = descent.joints, nearer
     return joints
+
+
+def _within(kinematics: ArmKinematics, target: Any, joints: Array) -> bool:
+    """Whether the tool is within the tolerances."""
+    left = kinematics.placement(joints).actInv(target * kinematics.tool)
+    distance, angle = np.linalg.norm(left.translation), np.linalg.norm(pinocchio.log3(left.rotation))
+    return bool(distance < POSITION_TOLERANCE and angle < ORIENTATION_TOLERANCE)
 
 
 def _solved(jacobian: Array, error: Array, damping: float) -> Array:

@@ -35,6 +35,20 @@ def test_nearly_stretched_arms_are_solved(stretched):
     assert solve_ik("left", target).position_error < 1e-4
 
 
+@pytest.mark.parametrize("seed", range(6))
+def test_at_the_edge_of_reach_the_tolerance_decides(seed):
+    """Beyond the edge by less than the tolerance the target still counts as reached."""
+    joints = np.random.default_rng(seed).uniform(-1, 1, 7)
+    joints[[1, 3]] = -0.3, 2 * np.arctan2(0.069, 0.37)  # as far as upper arm and forearm go
+    edge = load_robot().tool_pose("left", joints)
+    away = edge.position - load_robot().arm("left").wrist * edge.rotation[:, 2] - load_robot().arm("left").shoulder
+    for beyond in (2e-5, 4e-5):
+        target = Pose(edge.position + beyond * away / np.linalg.norm(away), edge.orientation)
+        solution = solve_ik("left", target)
+        assert solution.position_error < 1e-4
+        assert solution.orientation_error < 1e-3
+
+
 def test_all_of_the_table_within_reach_is_reached_from_above():
     rng = np.random.default_rng(2)
     for _ in range(40):
