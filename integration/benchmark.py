@@ -14,6 +14,7 @@ from __future__ import annotations
 import argparse
 import json
 import os
+import signal
 import sys
 import time
 from collections.abc import Iterator, Sequence
@@ -122,7 +123,7 @@ def _run(numbers: Sequence[int], args: argparse.Namespace) -> Iterator[dict[str,
         for number in numbers:
             yield _episode(args.seed, number, args.faults, args.language)
         return
-    pool = ProcessPoolExecutor(args.jobs, mp_context=get_context("spawn"))
+    pool = ProcessPoolExecutor(args.jobs, mp_context=get_context("spawn"), initializer=_heed_no_interrupt)
     try:
         waiting = iter(numbers)
         running = set()
@@ -138,6 +139,11 @@ def _run(numbers: Sequence[int], args: argparse.Namespace) -> Iterator[dict[str,
                 yield future.result()
     finally:
         pool.shutdown(wait=False, cancel_futures=True)
+
+
+def _heed_no_interrupt() -> None:
+    """Ctrl-C is for the process that hands out the work; what works ends with its episode."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
 
 
 def _episode(seed: int, number: int, faults: bool, language: bool) -> dict[str, Any]:

@@ -198,6 +198,7 @@ class Attempt:
     def commit_put(self, putting: Putting) -> None:
         """Adds what was prepared, timed and verified."""
         full, empty, opening = putting.full, putting.empty, putting.opening
+        self._rise(full)
         rising = Rules(resting=self._touched(full, self.joints))
         across = self._travel("transfer", self.joints, putting.down[0], full, rising)
         self._add("transfer", across, self.width)
@@ -316,6 +317,18 @@ class Attempt:
         checker = self._checker(width=self.width)
         self._back_out(checker)
         self._add("home", self._travel("home", self.joints, home, checker, Rules()), self.width)
+
+    def _rise(self, full: CollisionChecker) -> None:
+        """Adds a lift if the held box still stands where it was taken, too near to something to move freely."""
+        touched = self._touched(full, self.joints)
+        if self.target is None or full.nearest(self.joints, Rules(resting=touched)) is None:
+            return
+        close = touched | full.around_held(self.joints, CLEARANCE) | self.scene.below(self.target)
+        rules = Rules(hand_clearance=CLOSE, resting=touched, close=close)
+        tool = self._robot.tool_pose(self.arm, self.joints)
+        top = Pose(tool.position + np.array([0, 0, APPROACH]), tool.orientation)
+        line = self._line(tool, top, self.joints, full, rules, "lift")
+        self._add("lift", self._verified("lift", line, full, rules), self.width)
 
     def _back_out(self, checker: CollisionChecker) -> None:
         """Adds a straight retreat along the approach if the hand is too near to something to move freely."""

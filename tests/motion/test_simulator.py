@@ -176,3 +176,16 @@ def test_nothing_on_the_table_moves_by_itself(tower):
     with Simulator(tower) as simulator:
         simulator.hold(1.0)
         assert _others(simulator, tower, "") < 0.5
+
+
+def test_a_block_that_is_held_where_it_stood_is_lifted_first():
+    scene = Scene((TABLE, block("b", 0.6, -0.3, edge=0.04)))
+    plan = plan_pick(scene, "b")
+    with Simulator(scene) as simulator:
+        for phase in plan.phases[:4]:
+            simulator.run_phase(plan.arm, plan.target, phase)
+        assert simulator.holding(plan.arm) == ("b",)
+        place = plan_place(simulator.scene(), "b", (0.6, -0.5, TOP + 0.02), start=simulator.state())
+        assert [phase.name for phase in place.phases] == ["lift", "transfer", "lower", "open", "retreat", "home"]
+        assert simulator.execute(place).contacts == ()
+        assert _error(simulator, place) < 2
