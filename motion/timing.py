@@ -22,7 +22,8 @@ KNOT_SPACINGS = (0.8, 0.4, 0.2, 0.1, 0.05)
 """Distances between a curve's knots in joint space, radians: the wider, the quicker and the farther it cuts corners."""
 LINE_SPACING = 0.05
 """The same for straight lines of the tool, which allow no short cuts."""
-_TOLERANCE = 1e-3
+_ITERATIONS = 10
+_TOLERANCE = 1e-6
 
 
 @dataclass(frozen=True, eq=False)
@@ -82,22 +83,26 @@ def timed(
     velocity = 0.999 * speed * float(np.min(limits.velocity / slope))
     acceleration = 0.999 * speed**2 * float(np.min(limits.acceleration / slope))
     jerk = 0.999 * speed**3 * float(np.min(limits.jerk / slope))
-    for _ in range(4):
+    for _ in range(_ITERATIONS):
         s, ds, dds, ddds = _profile(velocity, acceleration, jerk)
         q, d1, d2, d3 = curve.evaluate(s)
         qd = d1 * ds[:, None]
         qdd = d1 * dds[:, None] + d2 * ds[:, None] ** 2
+        qdd[-1] = 0.0
+        # Between samples by its formula, from sample to sample by their differences: both keep the limit.
         qddd = d1 * ddds[:, None] + 3 * d2 * (ds * dds)[:, None] + d3 * ds[:, None] ** 3
+        steps = np.diff(qdd, axis=0) / sampling_period()
         factor = max(
             float(np.max(np.abs(qd) / limits.velocity)),
             float(np.max(np.abs(qdd) / limits.acceleration)) ** (1 / 2),
             float(np.max(np.abs(qddd) / limits.jerk)) ** (1 / 3),
+            float(np.max(np.abs(steps) / limits.jerk)) ** (1 / 3),
         )
         if factor <= 1.0:
             break
         factor *= 1.002
         velocity, acceleration, jerk = velocity / factor, acceleration / factor**2, jerk / factor**3
-    q[0], q[-1], qd[-1], qdd[-1] = path[0], path[-1], 0.0, 0.0
+    q[0], q[-1], qd[-1] = path[0], path[-1], 0.0
     return Trajectory(sampling_period(), q, qd, qdd)
 
 
