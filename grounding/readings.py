@@ -67,6 +67,11 @@ def readings(inferences: Sequence[tuple[Inference, float]], layout: Layout) -> t
     return tuple(Reading(i, h, a, math.exp(log - top) / total) for log, i, h, a in found)
 
 
+def preferred(inference: Inference, layout: Layout) -> Hypothesis:
+    """The hypothesis that is believed: people mean something that is there, see `REFERENT_ODDS`."""
+    return readings([(inference, 1.0)], layout)[0].hypothesis
+
+
 def requested(tree: Phrase, hypothesis: Hypothesis, layout: Layout) -> tuple[Action, ...]:
     """What a hypothesis asks for. A noun phrase alone asks to pick up what it means."""
     actions = [s for s in hypothesis.symbols if isinstance(s, Action) and s.objects]

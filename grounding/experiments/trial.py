@@ -19,7 +19,7 @@ from grounding.language.tree import Phrase
 from grounding.learning import Negatives, learn
 from grounding.learning.evaluation import score_tree
 from grounding.learning.examples import Annotated, annotated
-from grounding.readings import readings
+from grounding.readings import preferred, readings
 
 PARSES = ("annotated", "own")
 Variants = tuple[tuple[str, str], ...]  # pairs of parse and engine
@@ -105,7 +105,7 @@ def _tested(text: str, gold: Annotated, engine: Engine, parser: Parser | None, s
     start = time.perf_counter()
     if parser is None:
         inference = engine.infer(tree, layout)
-        grounded, hypothesis, count = tree, inference.hypotheses[0], inference.evaluations
+        grounded, hypothesis, count = tree, preferred(inference, layout), inference.evaluations
     else:
         grounded, hypothesis, count = own_parse(parser, text, settings.readings, engine, layout)
     seconds = time.perf_counter() - start
@@ -122,15 +122,13 @@ def own_parse(
 ) -> tuple[Phrase, Hypothesis, int]:
     """Parse a text, ground its likeliest parses, and take the one that makes most sense in the world.
 
-    Only the tree is chosen so: what it is grounded to is its likeliest hypothesis, as for an annotated tree.
-
     Returns:
-        the tree, its likeliest hypothesis, and how many factors were evaluated for all parses.
+        the tree, the hypothesis that is believed, and how many factors were evaluated for all parses.
     """
     parses = parser.parse(text, count)
     inferred: list[tuple[Inference, float]] = [(engine.infer(p.tree, layout), p.probability) for p in parses]
-    inference = readings(inferred, layout)[0].inference if len(inferred) > 1 else inferred[0][0]
-    return inference.tree, inference.hypotheses[0], sum(one.evaluations for one, _ in inferred)
+    best = readings(inferred, layout)[0]
+    return best.inference.tree, best.hypothesis, sum(one.evaluations for one, _ in inferred)
 
 
 class _Seen:

@@ -14,6 +14,7 @@ from dataclasses import dataclass
 from grounding.inference import Engine, Hypothesis, aligned
 from grounding.language.tree import Phrase
 from grounding.learning.examples import Annotated
+from grounding.readings import preferred
 from grounding.symbols import Symbol
 
 Place = tuple[str, int, int, int]  # tag, first word, last word, how many such phrases are around it
@@ -78,7 +79,7 @@ class Evaluation:
 
 
 def evaluate(examples: Iterable[Annotated], inference: Engine, sample: float | None = None) -> Evaluation:
-    """Compare the likeliest hypothesis with the annotation, on the annotated trees.
+    """Compare the hypothesis that is believed with the annotation, on the annotated trees.
 
     Args:
         examples: annotated trees.
@@ -87,7 +88,7 @@ def evaluate(examples: Iterable[Annotated], inference: Engine, sample: float | N
             part of the likeliest set.
     """
     scores = [
-        score_tree(tree, groundings, tree, inference.infer(tree, layout).hypotheses[0], sample)
+        score_tree(tree, groundings, tree, preferred(inference.infer(tree, layout), layout), sample)
         for tree, groundings, layout in examples
     ]
     count = max(len(scores), 1)
