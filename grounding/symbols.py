@@ -26,6 +26,11 @@ ACTION_KINDS = ("pick", "place", "clear")
 LAST = -1  # the ordinal "last"
 
 
+def sided(relation: str) -> str:
+    """A spatial reference up to mirroring: left and right are both "side"."""
+    return "side" if relation in ("left", "right") else relation
+
+
 def _named(value: str | None) -> str:
     return "-" if value is None else value
 

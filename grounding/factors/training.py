@@ -62,9 +62,9 @@ class TrainingSet:
 class Objective:
     """The regularised negative log likelihood of one family, and its gradient."""
 
-    def __init__(self, data: TrainingSet, penalty: float) -> None:
+    def __init__(self, data: TrainingSet, penalty: float, strictness: Callable[[str], float] = lambda _: 1.0) -> None:
         self.shape = (len(data.facts), len(data.roles))
-        self.penalty = penalty
+        self.penalty = penalty * np.array([[strictness(role) for role in data.roles]])
         rows = list(data.rows)
         self.contexts = _indicator(list(data.contexts), self.shape[0])
         self.transposed = self.contexts.T.tocsr()
@@ -82,7 +82,7 @@ class Objective:
         cells = by_context.ravel()[self.cell_of]
         score = np.bincount(self.row_of, weights=cells, minlength=len(self.sign)).astype(np.float64)
         margin: Array = self.sign * score
-        value = float(self.count @ np.logaddexp(0.0, -margin)) + 0.5 * self.penalty * float(flat @ flat)
+        value = float(self.count @ np.logaddexp(0.0, -margin)) + 0.5 * float((self.penalty * weights**2).sum())
         residual = -self.sign * self.count * _sigmoid(-margin)
         scattered = np.bincount(self.cell_of, weights=residual[self.row_of], minlength=by_context.size)
         gradient = np.asarray(self.transposed @ scattered.reshape(by_context.shape))
@@ -95,6 +95,7 @@ def train(
     iterations: int = 300,
     tolerance: float = 1e-5,
     on_step: Callable[[], None] | None = None,
+    strictness: Callable[[str], float] = lambda _: 1.0,
 ) -> Factor:
     """Fit the weights of one family.
 
@@ -104,13 +105,14 @@ def train(
         iterations: at most so many steps of L-BFGS.
         tolerance: it stops when the value falls by a smaller share than this.
         on_step: called after every step.
+        strictness: how much more than `penalty` the weights of a role are held near zero.
     """
     facts, roles = tuple(data.facts), tuple(data.roles)
     if not data.rows:
         return Factor(facts, roles, np.zeros((len(facts), len(roles))))
     from scipy import optimize  # loaded late: grounding does not need it, and it takes most of a second
 
-    objective = Objective(data, penalty)
+    objective = Objective(data, penalty, strictness)
     result = optimize.minimize(
         objective,
         np.zeros(len(facts) * len(roles)),

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import itertools
+from collections.abc import Sequence
 from typing import NamedTuple
 
-from grounding.features.discretiser import shape_roles
+from grounding.features.discretiser import LOOKS, shape_roles
 from grounding.features.scope import Scope
 from grounding.geometry.masks import indices_of
 from grounding.symbols import Container, ContainerAttribute, ObjectAttribute, ObjectSymbol, ObjectType, Symbol
@@ -27,8 +28,15 @@ def objects(scope: Scope) -> Proposals:
     for _, mask in scope.own_abstract.containers:
         for index in indices_of(mask):
             members.setdefault(index, [])
+    ranked = scope.sets.ranked_by("own", scope.own_abstract.attributes)
+    for role in ("head", "object"):
+        ranked |= scope.sets.ranked_by(role, scope.source(role).attributes)
+    for name, mask in ranked.items():
+        for index in indices_of(mask):
+            members.setdefault(index, []).append(name)
     for index, names in sorted(members.items()):
-        roles = [*dict.fromkeys(names), *object_roles(scope, index)]
+        ways = dict.fromkeys(name.partition("[")[0] for name in names)
+        roles = [*dict.fromkeys(names), *(f"some {way}" for way in ways), *object_roles(scope, index)]
         proposals.append((ObjectSymbol(layout.ids[index]), roles))
     furniture: dict[str, list[str]] = {name: ["furniture of own container"] for name in scope.own_abstract.hands}
     for role, source in scope.child_sources.items():
@@ -46,6 +54,13 @@ def objects(scope: Scope) -> Proposals:
 def object_roles(scope: Scope, index: int) -> list[str]:
     """Roles of a thing in what the phrase itself and its children have grounded to."""
     roles = [f"in own {kind}" for kind, mask in scope.own_abstract.containers if mask >> index & 1]
+    if scope.own_abstract.containers:
+        roles.append("in own container" if roles else "outside own container")
+    children = [source.objects for source in scope.child_sources.values() if source.objects]
+    inside = sum(mask >> index & 1 for mask in children)
+    if children:
+        share = "all" if inside == len(children) else "some" if inside else "none"
+        roles.append(f"in {share} of {min(len(children), 2)}")
     for role, source in scope.child_sources.items():
         if source.objects >> index & 1:
             roles.append(f"in {role}")
@@ -166,6 +181,12 @@ def containers(scope: Scope) -> Proposals:
     for mask, names in sets.by_mask.items():
         if mask & (mask - 1):
             found.setdefault(("group", mask), []).extend(names)
+            found.setdefault((shape_roles(scope.layout).line_kind(mask), mask), []).extend(names)
+    carried = {key for source in scope.child_sources.values() for key in source.containers}
+    for key in sorted(carried):
+        found.setdefault(key, []).append("carried upward" if len(carried) > 1 else "carried upward, the only one")
+        if fitting.kinds:
+            found[key].append(f"carried upward, {'kind said' if key[0] in fitting.kinds else 'other kind said'}")
     for role, source in scope.child_sources.items():
         for key in source.containers:
             found.setdefault(key, []).append(f"is {role}")
@@ -175,9 +196,7 @@ def containers(scope: Scope) -> Proposals:
     shapes = shape_roles(scope.layout).of(found)
     for ((kind, mask), roles), shape in zip(found.items(), shapes, strict=True):
         roles += [*kind_roles(scope, kind), *count_roles(scope, mask.bit_count()), *member_roles(scope, mask)]
-        if kind == "group":
-            roles += [f"as {name}" for name in sets.by_mask.get(mask, ())]
-        roles += shape
+        roles += [*shape, *look_roles(scope, mask, shape), *part_roles(scope, kind, mask)]
         proposals.append((Container(kind, scope.layout.names(mask)), roles))
     return proposals
 
@@ -197,6 +216,39 @@ def count_roles(scope: Scope, count: int) -> list[str]:
 def member_roles(scope: Scope, mask: int) -> list[str]:
     """Roles of a container that depend on which its members are, not on where they lie."""
     return ["unwanted members"] if mask & ~scope.fitting.wanted else []
+
+
+def look_roles(scope: Scope, mask: int, shape: Sequence[str]) -> list[str]:
+    """Roles of a container that tell how each of the names of its members goes with how they look.
+
+    A set's names give roles on several levels ("the two extreme ones of all along the modifier's direction", "some
+    extreme ones", "some named set"), so that little training is enough for much of what they tell.
+    """
+    look = next((role for role in LOOKS if role in shape), None)
+    names = scope.sets.by_mask.get(mask, ())
+    if look is None or not names:
+        return []
+    ways = dict.fromkeys(name.partition("[")[0] for name in names)
+    return [
+        f"some set {look}",
+        *(f"{name} {look}" for name in names),
+        *(role for way in ways for role in (f"some {way}", f"some {way} {look}")),
+    ]
+
+
+def part_roles(scope: Scope, kind: str, mask: int) -> list[str]:
+    """Roles of a container within a child's container."""
+    inside = [roles for whole, roles in part_roles_of(scope, kind) if mask != whole and not mask & ~whole]
+    return [role for roles in inside for role in roles]
+
+
+def part_roles_of(scope: Scope, kind: str) -> list[tuple[int, tuple[str, str]]]:
+    """The children's containers, with the roles of a container of a kind that lies within."""
+    return [
+        (whole, (f"part of {role}", f"part of {role}, {'same' if other == kind else 'other'} kind"))
+        for role, source in scope.child_sources.items()
+        for other, whole in source.containers
+    ]
 
 
 def _robots(scope: Scope) -> Proposals:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from grounding.features.scope import Scope
 from grounding.features.sources import Source
 from grounding.geometry.masks import indices_of
-from grounding.symbols import Action, Region, SpatialReference, Symbol
+from grounding.symbols import Action, Region, SpatialReference, Symbol, sided
 
 Proposals = list[tuple[Symbol, list[str]]]
 
@@ -30,7 +30,10 @@ def regions(scope: Scope) -> Proposals:
 
 def region_roles(relation: str, who: str, kind: str, how: str) -> list[str]:
     """Roles of a region, from who says its relation and how its reference came about."""
-    return [f"relation of {who}", f"relation {relation}", how, f"{how}|{who}", f"{relation}|{kind}"]
+    return [
+        "region made", f"relation of {who}", f"relation {sided(relation)}", how, f"{how}|{who}",
+        f"{sided(relation)}|{kind}",
+    ]  # fmt: skip
 
 
 def region_relations(scope: Scope) -> dict[str, str]:
@@ -96,7 +99,9 @@ def possible(scope: Scope, source: Source) -> int:
 def actions(scope: Scope) -> Proposals:
     """Actions on what the object phrase grounded to or, where it left several possible, on each of them."""
     found: dict[Action, list[str]] = {}
-    kinds = [action.kind for action in scope.own.actions if not action.objects]
+    kinds = [action.kind for action in scope.own.actions if not action.objects] or [
+        symbol.kind for symbol in scope.named if isinstance(symbol, Action)
+    ]
     target = scope.source("object")
     destinations = action_destinations(scope)
     for names, how in action_targets(scope, target):

@@ -17,7 +17,12 @@ _PARTS = {
     "subject": "the subject",
     "prt": "the particle",
 }
-_WHO = {**_PARTS, "own": "the phrase itself"}
+_WHO = {
+    **_PARTS,
+    "own": "the phrase itself",
+    "below": "a word within the head that the head's grounding no longer tells",
+    "unsaid": "nobody, so that it is counted from the robot",
+}
 _SAID = {
     **_WHO,
     "first": "nobody, so that it is the first",
@@ -95,6 +100,22 @@ _MEASURES = {
     "orientation": "angle of the principal axis to the kind's own",
     "distinction": "distance of the nearest other object from the model",
 }
+_WAYS = {
+    "all": "a whole reference set",
+    "only": "a reference set of one",
+    "count": "a reference set as large as is said",
+    "nth": "the one at a rank",
+    "flat": "the one at a rank, seen from above",
+    "k": "as many as is said, the outermost in a direction",
+    "middle": "the middle one by rank",
+    "central": "the one nearest to the middle",
+    "closest": "the one nearest to something",
+    "ranked": "the one that an attribute ranks",
+    **{
+        f"member {fit}": f"members of an arrangement: {fit}"
+        for fit in ("in", "only", "best", "clear best", "largest", "smallest", "nth")
+    },
+}
 _TOLD = "[dinkCRAP!FB]*[oO]?"
 _PART = f"(?:{'|'.join(_PARTS)})"
 _COMPOSITION = rf"{_PART}\({_TOLD}\)(?:\+{_PART}\({_TOLD}\))*"
@@ -122,7 +143,24 @@ BLANKS: dict[str, Blank] = {
     "said": one_of(_SAID),
     "rank": one_of({**{who: f"the rank that {words} says" for who, words in _WHO.items()}, "first": "the first rank"}),
     "what": one_of(_WHAT),
-    "relation": plain(SPATIAL_REFERENCES),
+    "relation": plain(("side", *SPATIAL_REFERENCES)),
+    "ordered": one_of({"-": "no rank", "first": "the first rank", "later": "a later rank", "last": "the last rank"}),
+    "direction": one_of(
+        {"-": "no direction", "along": "some direction", **{d: d for d in ("side", *SPATIAL_REFERENCES)}}
+    ),
+    "look": one_of(
+        {"as it looks": "its members look like its kind", "unlike its looks": "its members look like another"}
+    ),
+    "way": one_of(_WAYS),
+    "carried": one_of(
+        {
+            "carried upward": "a child is grounded to it",
+            "carried upward, the only one": "it is the only container of the children",
+        }
+    ),
+    "same": one_of({"same": "the same", "other": "another"}),
+    "share": one_of({"all": "all", "some": "some", "none": "none"}),
+    "level": one_of({"things are stacked": "things are stacked", "all is level": "all is level"}),
     "kind": plain(CONTAINER_KINDS),
     "target": plain(("object", *CONTAINER_KINDS)),
     "action": plain(ACTION_KINDS),

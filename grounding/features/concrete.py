@@ -10,6 +10,7 @@ from collections.abc import Iterable
 
 from grounding.features.context import named_how
 from grounding.features.scope import Scope
+from grounding.geometry.layout import UPRIGHT
 from grounding.language.lexicon import known_colors
 from grounding.symbols import (
     ACTION_KINDS,
@@ -40,12 +41,30 @@ def judged(scope: Scope, symbols: Iterable[Symbol]) -> Proposals:
     for symbol in symbols:
         roles = named_how(scope, symbol)
         if isinstance(symbol, _IDENTIFIED):
-            roles.append(f"is {symbol}")
+            mirrored = isinstance(symbol, SpatialReference) and symbol.name in ("left", "right")
+            roles.append("is a side" if mirrored else f"is {symbol}")
+        if isinstance(symbol, SpatialReference) and scope.named.keys() & _upright(symbol):
+            roles.append(f"{symbol.name} where {'things are stacked' if scope.layout.has_stacks else 'all is level'}")
+        elif isinstance(symbol, Container) and _named_less(scope, symbol):
+            roles.append("another kind is named more")
         for role, source in scope.child_sources.items():
             if symbol in source.symbols:
                 roles.append(f"in {role}")
         proposals.append((symbol, roles))
     return proposals
+
+
+def _upright(symbol: SpatialReference) -> frozenset[SpatialReference]:
+    """What a direction may stand for on a table that is seen from above, and upright: top is back, bottom is front."""
+    pairs = {SpatialReference(up): SpatialReference(flat) for up, flat in UPRIGHT.items()}
+    other = pairs.get(symbol) or {flat: up for up, flat in pairs.items()}.get(symbol)
+    return frozenset() if other is None else frozenset([other])
+
+
+def _named_less(scope: Scope, symbol: Container) -> bool:
+    """Whether more words name another kind of container than this one: "vertical line"."""
+    counts = {s: len(how) for s, how in scope.named.items() if isinstance(s, Container)}
+    return max(counts.values(), default=0) > counts.get(symbol, 0)
 
 
 def _spoken(scope: Scope, kind: type) -> list[Symbol]:
@@ -80,8 +99,12 @@ def spatial_references(scope: Scope) -> Proposals:
 
 
 def cardinals(scope: Scope) -> Proposals:
-    """The numbers that are spoken of."""
-    return judged(scope, _spoken(scope, Cardinal))
+    """The numbers that are spoken of and, of several things, how many there are."""
+    spoken = _spoken(scope, Cardinal)
+    counted = Cardinal(scope.layout.size)
+    if not scope.plural or counted in spoken or not scope.layout.size:
+        return judged(scope, spoken)
+    return [*judged(scope, spoken), (counted, ["number of all things"])]
 
 
 def ordinals(scope: Scope) -> Proposals:

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from grounding.features.scope import Scope
 from grounding.features.sources import Source, child_roles
-from grounding.language.lexicon import is_superlative, is_universal, meanings, size_order
+from grounding.language.lexicon import alike, is_superlative, is_universal, meanings, size_order
 from grounding.language.tree import Phrase
-from grounding.symbols import Symbol
+from grounding.symbols import Symbol, sided
 
 _CLOSED_TAGS = ("DT", "PDT", "IN", "TO", "PRP", "PRP$", "CC", "CD")
 
@@ -19,7 +19,9 @@ def word_facts(scope: Scope) -> list[str]:
     if scope.plural:
         facts.append("plural")
     for word in phrase.words:
-        facts.append(f"word={word.text}")
+        facts.append(f"word={alike(word.text)}")
+        if alike(word.text) == "<ordinal>":
+            facts.append(f"rank={word.text}")
         facts.append(f"pos={word.tag}")
         if is_superlative(word.text) or word.tag in ("JJS", "RBS"):
             facts.append("superlative")
@@ -54,9 +56,11 @@ def child_facts(scope: Scope) -> list[str]:
             facts.append(f"{role} has robot")
         if not source.symbols:
             facts.append(f"{role} has nothing")
-        facts += [f"{role}.relation={relation}" for relation in source.relations]
+        for attribute in source.attributes[:1]:
+            facts.append(f"{role} ranks {_rank(attribute.index)}|{'along' if attribute.relation else '-'}")
+        facts += [f"{role}.relation={sided(relation)}" for relation in source.relations]
         facts += [f"{role}.container={kind}" for kind, _ in source.containers]
-        facts += [f"{role}.region={region.relation}" for region in source.regions]
+        facts += [f"{role}.region={sided(region.relation)}" for region in source.regions]
         facts += [f"{role}.region of={region.kind}" for region in source.regions]
     if scope.child_sources:
         told = "+".join(f"{role}({_told(source)})" for role, source in scope.child_sources.items())
@@ -65,7 +69,7 @@ def child_facts(scope: Scope) -> list[str]:
     head, mod = scope.source("head"), scope.source("mod")
     if head.relations and mod.relations:
         prepositions = [_preposition(c) for c in scope.phrase.phrases if c.tag == "PP"]
-        facts.append(f"two relations:{head.relations[0]}:{prepositions[0] if prepositions else ''}")
+        facts.append(f"two relations:{sided(head.relations[0])}:{prepositions[0] if prepositions else ''}")
     return facts
 
 
@@ -76,7 +80,8 @@ def own_facts(scope: Scope) -> list[str]:
     for name in ("types", "colors", "relations", "indices", "numbers", "kinds"):
         if getattr(own, name):
             facts.append(f"own {name}")
-    facts += [f"own.relation={relation}" for relation in own.relations]
+    facts += [f"own.relation={sided(relation)}" for relation in own.relations]
+    facts += [f"own.index={_rank(index)}" for index in own.indices]
     facts += [f"own.kind={kind}" for kind in own.kinds]
     if scope.phrase.words:
         number = "several" if scope.plural else "one"
@@ -101,7 +106,11 @@ def abstract_facts(scope: Scope) -> list[str]:
     """What the settled abstract symbols tell."""
     source = scope.own_abstract
     facts = [f"own {name}" for name in ("containers", "regions", "attributes", "collections") if getattr(source, name)]
-    return facts + [f"own.container={kind}" for kind, _ in source.containers]
+    facts += [f"own.container={kind}" for kind, _ in source.containers]
+    for attribute in source.attributes[:1]:
+        facts.append(f"own ranks {_rank(attribute.index)}|{'along' if attribute.relation else '-'}")
+        facts.append(f"own ranks {_rank(attribute.index)}|{sided(attribute.relation or '-')}")
+    return facts
 
 
 def context_facts(scope: Scope) -> list[str]:
@@ -125,11 +134,16 @@ def _told(source: Source) -> str:
     return "".join(letter for letter, values in kinds.items() if values) + objects
 
 
+def _rank(index: int | None) -> str:
+    """Which rank, in short."""
+    return "-" if index is None else "first" if index == 1 else "last" if index < 0 else "later"
+
+
 def _preposition(phrase: Phrase) -> str:
     """The words of a prepositional phrase, without adverbs before them; "" for other phrases."""
     if phrase.tag != "PP":
         return ""
-    return " ".join(word.text for word in phrase.words if word.tag not in ("RB", "RBR"))
+    return " ".join(alike(word.text) for word in phrase.words if word.tag not in ("RB", "RBR"))
 
 
 def named_how(scope: Scope, symbol: Symbol) -> list[str]:

@@ -59,6 +59,11 @@ def every_container(scope: Scope, proposals: Listed) -> Space:
 
 def _container_block(scope: Scope, kind: str, masks: np.ndarray, shared: list[Slot]) -> Block:
     layout = scope.layout
+    parts = [
+        make_slot([NO_ROLE, role], (((masks & ~whole) == 0) & (masks != whole)).astype(int))
+        for whole, roles in abstract.part_roles_of(scope, kind)
+        for role in roles
+    ]
     constant = [make_slot([role], np.zeros(1, dtype=int)) for role in abstract.kind_roles(scope, kind)]
     codes = shape_roles(layout).every(kind, masks)
     shape = [Slot(names, of) for names, of in zip(role_names(kind), codes, strict=True)]
@@ -71,7 +76,7 @@ def _container_block(scope: Scope, kind: str, masks: np.ndarray, shared: list[Sl
     def symbol(index: int) -> Symbol:
         return Container(kind, layout.names(int(masks[index])))
 
-    return Block(masks.shape, (*constant, *shared, *shape), symbol, find, tuple(found))
+    return Block(masks.shape, (*constant, *shared, *parts, *shape), symbol, find, tuple(found))
 
 
 def every_region(scope: Scope, proposals: Listed) -> Space:

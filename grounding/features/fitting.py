@@ -99,5 +99,5 @@ class Fitting:
             middle = self.layout.positions[:, :2].mean(axis=0)
             score = [-float(np.hypot(*(a.centroid[:2] - middle))) for a in arrangements]
         else:
-            score = [float(self.layout.extent(a.mask, direction).mean()) for a in arrangements]
+            score = [self.layout.mean_extent(a.mask, direction) for a in arrangements]
         return [arrangements[i] for i in sorted(range(len(arrangements)), key=lambda i: -score[i])]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from functools import cached_property
 
 from grounding.features.fitting import Fitting
@@ -11,7 +11,7 @@ from grounding.features.sources import NOTHING, Source, child_roles, digest, mer
 from grounding.geometry.layout import Layout
 from grounding.language.lexicon import is_plural, is_universal, meanings
 from grounding.language.tree import Phrase
-from grounding.symbols import Symbol
+from grounding.symbols import Cardinal, Ordinal, SpatialReference, Symbol
 
 _HEAD_TAGS = ("NN", "NNS", "NNP", "NNPS", "CD", "PRP")
 
@@ -47,7 +47,7 @@ class Scope:
         return self._stage
 
     _stage = 0
-    _shared = ("child_sources", "named", "plural", "universal")
+    _shared = ("child_sources", "below", "named", "plural", "universal")
     _settled = ("own", "sources", "sets", "fitting", "settled_facts")
 
     def with_concrete(self, concrete: frozenset[Symbol]) -> Scope:
@@ -78,6 +78,23 @@ class Scope:
         return {role: s[0] if len(s) == 1 else merge(s, self.layout) for role, s in found.items()}
 
     @cached_property
+    def below(self) -> Source:
+        """What words within the head name and its grounding no longer tells: "the two nearest", once found, are two."""
+        head = self.source_of_head
+        if head is None or head[1].relations or head[1].numbers:
+            return NOTHING
+        named = frozenset(symbol for text in _spoken(head[0]) for symbol in meanings(text))
+        return digest(frozenset(s for s in named if isinstance(s, SpatialReference | Cardinal | Ordinal)), self.layout)
+
+    @cached_property
+    def source_of_head(self) -> tuple[Phrase, Source] | None:
+        """The head child with what it says, if there is one."""
+        for role, child in zip(child_roles(self.phrase), self.phrase.phrases, strict=True):
+            if role == "head":
+                return child, self.child_sources["head"]
+        return None
+
+    @cached_property
     def own(self) -> Source:
         """What the concrete symbols of the phrase itself say."""
         return digest(self.concrete, self.layout)
@@ -85,7 +102,7 @@ class Scope:
     @cached_property
     def sources(self) -> dict[str, Source]:
         """What the phrase and its children say, by role; "own" first."""
-        return {"own": self.own, **self.child_sources}
+        return {"own": self.own, **self.child_sources, "below": self.below}
 
     def source(self, role: str) -> Source:
         """What a part says; nothing where there is no such part."""
@@ -122,3 +139,14 @@ class Scope:
     def fitting(self) -> Fitting:
         """The arrangements that the phrase may mean."""
         return Fitting(self.sources, self.sets, self.layout)
+
+
+def _spoken(phrase: Phrase) -> Iterator[str]:
+    """The words of a phrase, of its head, and of its prepositional phrases themselves."""
+    for word in phrase.words:
+        yield word.text
+    for role, child in zip(child_roles(phrase), phrase.phrases, strict=True):
+        if role == "head":
+            yield from _spoken(child)
+        elif child.tag == "PP":
+            yield from (word.text for word in child.words)

@@ -7,6 +7,7 @@ ordinals, superlatives and counts select from them.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from functools import cached_property
 
 import numpy as np
@@ -14,8 +15,9 @@ import numpy as np
 from grounding.features.sources import NOTHING, Source
 from grounding.geometry.layout import UPRIGHT, Layout
 from grounding.geometry.masks import indices_of, single
+from grounding.symbols import ObjectAttribute
 
-_SAYING = ("own", "head", "mod", "inner", "object")  # whose directions, indices and numbers count
+_SAYING = ("own", "head", "mod", "inner", "object", "below")  # whose directions, indices and numbers count
 
 
 class NamedSets:
@@ -78,8 +80,11 @@ class NamedSets:
 
     @cached_property
     def directions(self) -> tuple[tuple[str, str], ...]:
-        """(who says it, direction), every one that is spoken of."""
-        return tuple((role, d) for role in _SAYING for d in self.sources.get(role, NOTHING).relations)
+        """(who says it, direction), every one that is spoken of; ranks without one may be counted from the robot."""
+        said = tuple((role, d) for role in _SAYING for d in self.sources.get(role, NOTHING).relations)
+        if said or not any(self.sources.get(role, NOTHING).indices for role in _SAYING):
+            return said
+        return (("unsaid", "near"),)
 
     @cached_property
     def indices(self) -> tuple[tuple[str, int], ...]:
@@ -166,6 +171,24 @@ class NamedSets:
             inside = self.references.get(f"{role}.region", 0)
             if names and inside & (inside - 1):
                 found[f"closest[{role}.region]"] = self._nearest(inside, names)
+        return found
+
+    def ranked_by(self, who: str, attributes: Sequence[ObjectAttribute]) -> dict[str, int]:
+        """What the first of some attributes selects within every reference set, by its relation and its index."""
+        found: dict[str, int] = {}
+        for attribute in attributes[:1]:
+            if attribute.index is None or attribute.relation in (None, "between"):
+                continue
+            for ref, mask in self.references.items():
+                for direction in {attribute.relation, UPRIGHT.get(attribute.relation, attribute.relation)}:
+                    if direction == "center" and ref in self.lined:
+                        chosen = self.layout.median(mask) or self.layout.central(mask)
+                    elif direction in UPRIGHT and not self.layout.stacked(mask):
+                        continue
+                    else:
+                        chosen = self.layout.nth(mask, direction, attribute.index)
+                    if chosen:
+                        found[f"ranked[{ref}|{who}]"] = chosen
         return found
 
     @cached_property

@@ -40,6 +40,9 @@ class Layout:
         self._ranked: dict[tuple[int, str], tuple[int, ...]] = {}
         self._regions: dict[Region, int] = {}
         self._fitting: dict[tuple[tuple[str, ...], int, frozenset[int]], tuple[Arrangement, ...]] = {}
+        self._evident_of: dict[tuple[tuple[str, ...], int], tuple[Arrangement, ...]] = {}
+        self._stacked: dict[int, bool] = {}
+        self._mean_extent: dict[tuple[int, str], float] = {}
         self._matching: dict[tuple[str | None, str | None], int] = {}
 
     @cached_property
@@ -82,12 +85,15 @@ class Layout:
 
     def evident_of(self, kinds: tuple[str, ...], wanted: int) -> tuple[Arrangement, ...]:
         """The evident arrangements of some kinds (any if empty), made of wanted objects; most prominent first."""
-        found = [
-            a
-            for a in self.arrangements
-            if (a.kind, a.mask) in self.evident and (not kinds or a.kind in kinds) and not a.mask & ~wanted
-        ]
-        return tuple(sorted(found, key=lambda a: (-a.prominence, a.kind, a.mask)))
+        key = (kinds, wanted)
+        if key not in self._evident_of:
+            found = [
+                a
+                for a in self.arrangements
+                if (a.kind, a.mask) in self.evident and (not kinds or a.kind in kinds) and not a.mask & ~wanted
+            ]
+            self._evident_of[key] = tuple(sorted(found, key=lambda a: (-a.prominence, a.kind, a.mask)))
+        return self._evident_of[key]
 
     @cached_property
     def by_members(self) -> Mapping[tuple[str, int], Arrangement]:
@@ -159,6 +165,13 @@ class Layout:
             points = self.positions[members]
             return np.asarray(-np.linalg.norm(points[:, :2] - points[:, :2].mean(axis=0), axis=1))
         return self._scores.get(direction, self.positions[:, 2])[members]
+
+    def mean_extent(self, mask: int, direction: str) -> float:
+        """How far a set lies in a direction on average, in [m]."""
+        key = (mask, direction)
+        if key not in self._mean_extent:
+            self._mean_extent[key] = float(self.extent(mask, direction).mean())
+        return self._mean_extent[key]
 
     def ranked(self, mask: int, direction: str) -> tuple[int, ...]:
         """The members of a set, the most extreme in a direction first; equal ones: the higher, then by id."""
@@ -233,8 +246,15 @@ class Layout:
 
     def stacked(self, mask: int) -> bool:
         """Whether members of a set lie at different heights."""
-        heights = self.positions[list(indices_of(mask)), 2]
-        return len(heights) > 1 and float(heights.max() - heights.min()) > 0.5 * self.edge
+        if mask not in self._stacked:
+            heights = self.positions[list(indices_of(mask)), 2]
+            self._stacked[mask] = len(heights) > 1 and float(heights.max() - heights.min()) > 0.5 * self.edge
+        return self._stacked[mask]
+
+    @cached_property
+    def has_stacks(self) -> bool:
+        """Whether things lie at different heights."""
+        return self.stacked(self.everything)
 
     def distance_to(self, mask: int, reference: tuple[str, ...]) -> Array:
         """Distance of each member of a set to the nearest reference object, on the floor, in [m]."""

@@ -125,7 +125,8 @@ class _Run:
         """The likeliest concrete symbols; they depend on words and on what kinds of things the children say only."""
         facts = tuple(context_facts(scope))
         said = tuple(sorted((role, source.concrete) for role, source in scope.child_sources.items()))
-        key = (facts, said, scope.layout.types)
+        key = (facts, tuple(word.text for word in scope.phrase.words), said, scope.layout.types,
+               scope.layout.has_stacks, scope.layout.size)  # fmt: skip
         known = self.settings.remembered(key)
         if known is None:
             known = self.settings.remember(key, self.judge(scope, facts))

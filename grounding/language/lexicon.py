@@ -62,8 +62,8 @@ _TYPES: dict[str, str] = {
     "table": "table tabletop tables desk",
 }
 _CONTAINERS: dict[str, str] = {
-    "row": "row rows line lines",
-    "column": "column columns line lines",
+    "row": "row rows line lines horizontal",
+    "column": "column columns line lines vertical",
     "group": "group groups cluster clusters bunch set pair pairs clump",
     "circle": "circle circles ring rings",
     "tower": "tower towers stack stacks pile piles",
@@ -83,6 +83,8 @@ _PLURAL_TAGS = ("NNS", "NNPS")
 _SIZE_ORDER = {"longest": 1, "tallest": 1, "biggest": 1, "largest": 1, "long": 1, "tall": 1, "taller": 1, "longer": 1,
                "bigger": 1, "larger": 1, "shortest": -1, "smallest": -1, "short": -1, "shorter": -1, "small": -1,
                "smaller": -1}  # fmt: skip
+_SIDES = re.compile("left|right")
+_ALIKE: dict[type, str] = {Ordinal: "<ordinal>", Cardinal: "<cardinal>", ObjectColor: "<color>"}
 _DIGITS = re.compile(r"(\d{1,3})(st|nd|rd|th)?")
 
 
@@ -129,6 +131,22 @@ def meanings(word: str) -> frozenset[Symbol]:
         value = int(match.group(1))
         return frozenset({Ordinal(value) if match.group(2) else Cardinal(value)}) if value else frozenset()
     return frozenset()
+
+
+@lru_cache(maxsize=4096)
+def alike(word: str) -> str:
+    """One name for words that differ only in which number, rank, colour or side they name: "third" is as "seventh".
+
+    Left and right are mirror images, so that what is learned of one holds of the other.
+    """
+    classes = {type(symbol) for symbol in meanings(word)}
+    if len(classes) == 1 and word != "last":
+        kind = classes.pop()
+        if kind in _ALIKE:
+            return _ALIKE[kind]
+        if kind is SpatialReference:
+            return _SIDES.sub("<side>", word)
+    return word
 
 
 def is_superlative(word: str) -> bool:

@@ -16,6 +16,7 @@ import numpy as np
 from grounding.factors import FactorModel, TrainingSet, train
 from grounding.features import FAMILIES, STAGES, Scope, family_of
 from grounding.features.context import context_facts
+from grounding.features.discretiser import strictness
 from grounding.features.exhaustive import every
 from grounding.geometry.layout import Layout
 from grounding.inference.engine import context_key
@@ -141,6 +142,6 @@ def learn(
     for name, data in sets.items():
         if progress is not None:
             progress(name)
-        factors[name] = train(data, penalty)
+        factors[name] = train(data, penalty, strictness=strictness)
     counts = {name: f"{coverage.proposed[name]} of {n}" for name, n in sorted(coverage.annotated.items())}
     return FactorModel(factors, {"penalty": penalty, "annotated symbols proposed": counts, **(notes or {})})
