@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Sequence
+from functools import lru_cache
 from typing import NamedTuple
 
 from grounding.features.discretiser import LOOKS, shape_roles
@@ -35,8 +36,7 @@ def objects(scope: Scope) -> Proposals:
         for index in indices_of(mask):
             members.setdefault(index, []).append(name)
     for index, names in sorted(members.items()):
-        ways = dict.fromkeys(name.partition("[")[0] for name in names)
-        roles = [*dict.fromkeys(names), *(f"some {way}" for way in ways), *object_roles(scope, index)]
+        roles = [*dict.fromkeys(names), *dict.fromkeys(map(some, names)), *object_roles(scope, index)]
         proposals.append((ObjectSymbol(layout.ids[index]), roles))
     furniture: dict[str, list[str]] = {name: ["furniture of own container"] for name in scope.own_abstract.hands}
     for role, source in scope.child_sources.items():
@@ -218,6 +218,12 @@ def member_roles(scope: Scope, mask: int) -> list[str]:
     return ["unwanted members"] if mask & ~scope.fitting.wanted else []
 
 
+@lru_cache(maxsize=4096)
+def some(name: str) -> str:
+    """The role of all sets that come about in the same way as a named one: `nth[all|own|own]` is "some nth"."""
+    return f"some {name.partition('[')[0]}"
+
+
 def look_roles(scope: Scope, mask: int, shape: Sequence[str]) -> list[str]:
     """Roles of a container that tell how each of the names of its members goes with how they look.
 
@@ -228,12 +234,8 @@ def look_roles(scope: Scope, mask: int, shape: Sequence[str]) -> list[str]:
     names = scope.sets.by_mask.get(mask, ())
     if look is None or not names:
         return []
-    ways = dict.fromkeys(name.partition("[")[0] for name in names)
-    return [
-        f"some set {look}",
-        *(f"{name} {look}" for name in names),
-        *(role for way in ways for role in (f"some {way}", f"some {way} {look}")),
-    ]
+    ways = dict.fromkeys(map(some, names))
+    return [f"some set {look}", *(f"{name} {look}" for name in names), *ways, *(f"{way} {look}" for way in ways)]
 
 
 def part_roles(scope: Scope, kind: str, mask: int) -> list[str]:

@@ -115,11 +115,14 @@ def abstract_facts(scope: Scope) -> list[str]:
 
 def context_facts(scope: Scope) -> list[str]:
     """All facts of a phrase's context at the stage it is in, in a fixed order."""
+    spoken = scope.__dict__.get("spoken_facts")
+    if spoken is None:
+        spoken = scope.__dict__["spoken_facts"] = [*word_facts(scope), *child_facts(scope)]
     if scope.stage == 0:
-        return [*word_facts(scope), *child_facts(scope)]
+        return spoken
     settled = scope.__dict__.get("settled_facts")
     if settled is None:
-        settled = scope.__dict__["settled_facts"] = [*word_facts(scope), *child_facts(scope), *own_facts(scope)]
+        settled = scope.__dict__["settled_facts"] = [*spoken, *own_facts(scope)]
     return settled if scope.stage == 1 else [*settled, *abstract_facts(scope)]
 
 

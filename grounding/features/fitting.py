@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from functools import cached_property
-
 import numpy as np
 
 from grounding.features.sets import NamedSets
 from grounding.features.sources import NOTHING, Source
 from grounding.geometry.arrangements import Arrangement
 from grounding.geometry.layout import UPRIGHT, Layout
+from grounding.lazy import lazy
 
 
 class Fitting:
@@ -20,7 +19,7 @@ class Fitting:
         self.sets = sets
         self.layout = layout
 
-    @cached_property
+    @lazy
     def kinds(self) -> tuple[str, ...]:
         """The kinds that the phrase or its parts speak of, those of the phrase and its head first."""
         for roles in (("own", "head"), ("inner", "mod", "object")):
@@ -29,14 +28,14 @@ class Fitting:
                 return tuple(dict.fromkeys(kinds))
         return ()
 
-    @cached_property
+    @lazy
     def wanted(self) -> int:
         """The objects that its members may be: by what any part says of type and colour."""
         types = [t for source in self.sources.values() for t in source.types]
         colors = [c for source in self.sources.values() for c in source.colors]
         return self.layout.matching(types[0] if types else None, colors[0] if colors else None)
 
-    @cached_property
+    @lazy
     def lists(self) -> dict[str, tuple[Arrangement, ...]]:
         """Lists of candidates, by how they were narrowed down; the most prominent of overlapping ones only."""
         layout = self.layout
@@ -64,7 +63,7 @@ class Fitting:
                 )
         return found
 
-    @cached_property
+    @lazy
     def named(self) -> dict[tuple[str, int], tuple[str, ...]]:
         """The names of every fitting arrangement, by kind and members."""
         found: dict[tuple[str, int], list[str]] = {}

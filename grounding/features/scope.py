@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from functools import cached_property
 
 from grounding.features.fitting import Fitting
 from grounding.features.sets import NamedSets
@@ -11,6 +10,7 @@ from grounding.features.sources import NOTHING, Source, child_roles, digest, mer
 from grounding.geometry.layout import Layout
 from grounding.language.lexicon import is_plural, is_universal, meanings
 from grounding.language.tree import Phrase
+from grounding.lazy import lazy
 from grounding.symbols import Cardinal, Ordinal, SpatialReference, Symbol
 
 _HEAD_TAGS = ("NN", "NNS", "NNP", "NNPS", "CD", "PRP")
@@ -47,7 +47,7 @@ class Scope:
         return self._stage
 
     _stage = 0
-    _shared = ("child_sources", "below", "named", "plural", "universal")
+    _shared = ("child_sources", "spoken_facts", "below", "named", "plural", "universal")
     _settled = ("own", "sources", "sets", "fitting", "settled_facts")
 
     def with_concrete(self, concrete: frozenset[Symbol]) -> Scope:
@@ -64,12 +64,12 @@ class Scope:
         scope._stage = stage
         return scope
 
-    @cached_property
+    @lazy
     def own_abstract(self) -> Source:
         """What the abstract symbols of the phrase itself say."""
         return digest(self.abstract, self.layout)
 
-    @cached_property
+    @lazy
     def child_sources(self) -> dict[str, Source]:
         """What the children say, by their roles."""
         found: dict[str, list[Source]] = {}
@@ -77,7 +77,7 @@ class Scope:
             found.setdefault(role, []).append(digest(symbols, self.layout))
         return {role: s[0] if len(s) == 1 else merge(s, self.layout) for role, s in found.items()}
 
-    @cached_property
+    @lazy
     def below(self) -> Source:
         """What words within the head name and its grounding no longer tells: "the two nearest", once found, are two."""
         head = self.source_of_head
@@ -86,7 +86,7 @@ class Scope:
         named = frozenset(symbol for text in _spoken(head[0]) for symbol in meanings(text))
         return digest(frozenset(s for s in named if isinstance(s, SpatialReference | Cardinal | Ordinal)), self.layout)
 
-    @cached_property
+    @lazy
     def source_of_head(self) -> tuple[Phrase, Source] | None:
         """The head child with what it says, if there is one."""
         for role, child in zip(child_roles(self.phrase), self.phrase.phrases, strict=True):
@@ -94,12 +94,12 @@ class Scope:
                 return child, self.child_sources["head"]
         return None
 
-    @cached_property
+    @lazy
     def own(self) -> Source:
         """What the concrete symbols of the phrase itself say."""
         return digest(self.concrete, self.layout)
 
-    @cached_property
+    @lazy
     def sources(self) -> dict[str, Source]:
         """What the phrase and its children say, by role; "own" first."""
         return {"own": self.own, **self.child_sources, "below": self.below}
@@ -108,7 +108,7 @@ class Scope:
         """What a part says; nothing where there is no such part."""
         return self.sources.get(role, NOTHING)
 
-    @cached_property
+    @lazy
     def named(self) -> dict[Symbol, tuple[str, ...]]:
         """Symbols that the phrase's own words may name, with how they are named: as its head or by a tag."""
         heads = [word for word in self.phrase.words if word.tag in _HEAD_TAGS]
@@ -120,22 +120,22 @@ class Scope:
                 found.setdefault(symbol, []).append(how)
         return {symbol: tuple(how) for symbol, how in found.items()}
 
-    @cached_property
+    @lazy
     def plural(self) -> bool:
         """Whether the phrase's own head noun is plural."""
         return any(is_plural(word.tag) for word in self.phrase.words)
 
-    @cached_property
+    @lazy
     def universal(self) -> bool:
         """Whether the phrase's own words mean all of a set."""
         return any(is_universal(word.text) for word in self.phrase.words)
 
-    @cached_property
+    @lazy
     def sets(self) -> NamedSets:
         """The sets of objects that the phrase may mean."""
         return NamedSets(self.sources, self.layout)
 
-    @cached_property
+    @lazy
     def fitting(self) -> Fitting:
         """The arrangements that the phrase may mean."""
         return Fitting(self.sources, self.sets, self.layout)

@@ -8,13 +8,13 @@ ordinals, superlatives and counts select from them.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from functools import cached_property
 
 import numpy as np
 
 from grounding.features.sources import NOTHING, Source
 from grounding.geometry.layout import UPRIGHT, Layout
 from grounding.geometry.masks import indices_of, single
+from grounding.lazy import lazy
 from grounding.symbols import ObjectAttribute
 
 _SAYING = ("own", "head", "mod", "inner", "object", "below")  # whose directions, indices and numbers count
@@ -37,12 +37,12 @@ class NamedSets:
                 return str(values[0])
         return None
 
-    @cached_property
+    @lazy
     def base(self) -> int:
         """The things of the type and the colour that the phrase speaks of."""
         return self.layout.matching(self.first("types"), self.first("colors"))
 
-    @cached_property
+    @lazy
     def references(self) -> dict[str, int]:
         """Sets within which something may be selected."""
         layout, base = self.layout, self.base
@@ -69,7 +69,7 @@ class NamedSets:
                 found[f"{role}.both"] = found[f"{role}.in"] & found[f"{role}.region"]
         return found
 
-    @cached_property
+    @lazy
     def lined(self) -> frozenset[str]:
         """The reference sets that are rows, columns or towers: their middle is by rank."""
         return frozenset(
@@ -78,7 +78,7 @@ class NamedSets:
             if any(kind in ("row", "column", "tower") for kind, _ in source.containers)
         )
 
-    @cached_property
+    @lazy
     def directions(self) -> tuple[tuple[str, str], ...]:
         """(who says it, direction), every one that is spoken of; ranks without one may be counted from the robot."""
         said = tuple((role, d) for role in _SAYING for d in self.sources.get(role, NOTHING).relations)
@@ -86,18 +86,18 @@ class NamedSets:
             return said
         return (("unsaid", "near"),)
 
-    @cached_property
+    @lazy
     def indices(self) -> tuple[tuple[str, int], ...]:
         """(who says it, rank); ("first", 1) where nobody says one."""
         said = tuple((role, i) for role in _SAYING for i in self.sources.get(role, NOTHING).indices)
         return said or (("first", 1),)
 
-    @cached_property
+    @lazy
     def numbers(self) -> tuple[tuple[str, int], ...]:
         """(who says it, count)."""
         return tuple((role, k) for role in _SAYING for k in self.sources.get(role, NOTHING).numbers)
 
-    @cached_property
+    @lazy
     def named(self) -> dict[str, int]:
         """All sets by their names; empty ones are left out."""
         layout = self.layout
@@ -191,7 +191,7 @@ class NamedSets:
                         found[f"ranked[{ref}|{who}]"] = chosen
         return found
 
-    @cached_property
+    @lazy
     def of_object(self) -> dict[int, tuple[str, ...]]:
         """For every object that is in some set, by index: the names of its sets."""
         found: dict[int, list[str]] = {}
@@ -200,7 +200,7 @@ class NamedSets:
                 found.setdefault(index, []).append(name)
         return {index: tuple(names) for index, names in found.items()}
 
-    @cached_property
+    @lazy
     def by_mask(self) -> dict[int, tuple[str, ...]]:
         """The names of every set, by its members."""
         found: dict[int, list[str]] = {}

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from functools import cached_property
 
 import numpy as np
 
 from grounding.geometry.arrangements import Arrangement, find_arrangements
 from grounding.geometry.masks import indices_of, mask_of
 from grounding.geometry.regions import in_any_region, in_region
+from grounding.lazy import lazy
 from grounding.symbols import LAST, Region
 from grounding.world import Array, World
 
@@ -41,26 +41,27 @@ class Layout:
         self._regions: dict[Region, int] = {}
         self._fitting: dict[tuple[tuple[str, ...], int, frozenset[int]], tuple[Arrangement, ...]] = {}
         self._evident_of: dict[tuple[tuple[str, ...], int], tuple[Arrangement, ...]] = {}
+        self._names: dict[int, tuple[str, ...]] = {}
         self._stacked: dict[int, bool] = {}
         self._mean_extent: dict[tuple[int, str], float] = {}
         self._matching: dict[tuple[str | None, str | None], int] = {}
 
-    @cached_property
+    @lazy
     def edges(self) -> Array:
         """Mean edge of every object, shape (n,) in [m]."""
         return np.array([item.size.mean() for item in self.things])
 
-    @cached_property
+    @lazy
     def edge(self) -> float:
         """The typical edge in [m]."""
         return float(np.median(self.edges)) if self.size else 0.05
 
-    @cached_property
+    @lazy
     def arrangements(self) -> tuple[Arrangement, ...]:
         """Lines, circles, clusters and towers."""
         return find_arrangements(self.positions, self.edges)
 
-    @cached_property
+    @lazy
     def evident(self) -> frozenset[tuple[str, int]]:
         """What people would name unasked, by kind and members.
 
@@ -95,7 +96,7 @@ class Layout:
             self._evident_of[key] = tuple(sorted(found, key=lambda a: (-a.prominence, a.kind, a.mask)))
         return self._evident_of[key]
 
-    @cached_property
+    @lazy
     def by_members(self) -> Mapping[tuple[str, int], Arrangement]:
         """The arrangements by kind and members."""
         return {(a.kind, a.mask): a for a in self.arrangements}
@@ -109,7 +110,7 @@ class Layout:
                 kept.append(a)
         return tuple(kept)
 
-    @cached_property
+    @lazy
     def clear_top(self) -> int:
         """The objects that carry no other one."""
         mask = self.everything
@@ -120,17 +121,17 @@ class Layout:
                 mask &= ~tower.mask | (1 << highest)
         return mask
 
-    @cached_property
+    @lazy
     def colors(self) -> frozenset[str]:
         """The colours that occur among the things."""
         return frozenset(item.color for item in self.things)
 
-    @cached_property
+    @lazy
     def types(self) -> frozenset[str]:
         """The types that occur in the world, furniture included."""
         return frozenset(item.type for item in self.world.objects)
 
-    @cached_property
+    @lazy
     def _scores(self) -> dict[str, Array]:
         x, y, z = self.positions.T
         distance = np.hypot(x, y)
@@ -144,7 +145,10 @@ class Layout:
 
     def names(self, mask: int) -> tuple[str, ...]:
         """The ids in a set."""
-        return tuple(self.ids[i] for i in indices_of(mask))
+        found = self._names.get(mask)
+        if found is None:
+            found = self._names[mask] = tuple([self.ids[i] for i in indices_of(mask)])
+        return found
 
     def matching(self, object_type: str | None, color: str | None) -> int:
         """The things of a type and a colour; None where nothing is asked.
@@ -251,7 +255,7 @@ class Layout:
             self._stacked[mask] = len(heights) > 1 and float(heights.max() - heights.min()) > 0.5 * self.edge
         return self._stacked[mask]
 
-    @cached_property
+    @lazy
     def has_stacks(self) -> bool:
         """Whether things lie at different heights."""
         return self.stacked(self.everything)
