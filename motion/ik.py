@@ -21,7 +21,6 @@ from numpy.typing import ArrayLike
 from motion.collisions import Near
 from motion.errors import InvalidGoal
 from motion.ik_avoid import Avoidance
-from motion.ik_mink import differential_ik
 from motion.ik_newton import ORIENTATION_TOLERANCE, POSITION_TOLERANCE, Descent, descend, persist, settle
 from motion.ik_reasons import checked_distance, in_collision, out_of_reach, too_far
 from motion.ik_seeds import SeedTable
@@ -191,6 +190,8 @@ def track(arm: str, targets: Sequence[Pose], start: ArrayLike, solver: str = LM)
         if solver == LM:
             descent = descend(kinematics, _placement(target) * kinematics.tool_inverse, joints, _LINE_STEPS)
         else:
+            from motion.ik_mink import differential_ik  # loads mink
+
             descent = differential_ik(arm, solver).descend(joints, target, 12)
         if not descent.reached or np.max(np.abs(descent.joints - joints)) > _LARGEST_JUMP:
             return None
@@ -238,6 +239,8 @@ def _leader(arm: str, solver: str, target: Pose, last: Any, posture: Array | Non
     if solver == LM:
         kinematics = load_robot().kinematics(arm)
         return lambda start: descend(kinematics, last, start)
+    from motion.ik_mink import differential_ik  # loads mink
+
     differential = differential_ik(arm, solver)
     return lambda start: differential.descend(start, target, posture=posture)
 

@@ -4,13 +4,11 @@ from __future__ import annotations
 
 import math
 
-import mink
 import numpy as np
 from numpy.typing import ArrayLike
 
 from motion.errors import InvalidGoal, UnreachableTarget
 from motion.ik_avoid import Avoidance
-from motion.ik_mink import differential_ik
 from motion.poses import Array, Pose, frozen
 from motion.robot import load_robot
 
@@ -46,6 +44,10 @@ def servo(
         InvalidGoal: joints, posture, target or duration make no sense, or there is no such arm or solver.
         UnreachableTarget: no step keeps all limits.
     """
+    import mink  # takes longer than all else here
+
+    from motion.ik_mink import differential_ik
+
     data = load_robot().arm(arm)
     if not (math.isfinite(dt) and dt > 0):
         raise InvalidGoal(f"the duration of a step is a positive number of seconds, not {dt}")
