@@ -35,7 +35,7 @@ def add_arguments(subparsers: Any) -> None:
                                "training part of each split only (default: annotated)")  # fmt: skip
     accuracy.add_argument("--by", choices=(*BY, "both"), default="random",
                           help="hold out instructions at random, or all of some worlds (default: random)")  # fmt: skip
-    accuracy.add_argument("--penalty", type=_positive, default=0.3, help="strength of the L2 regularisation")
+    accuracy.add_argument("--penalty", type=_positive, default=0.1, help="strength of the L2 regularisation")
     _add_inference(accuracy)
     accuracy.add_argument("--negatives", type=_whole, metavar="N",
                           help="in training, all of the space of symbols is negative in worlds of up to so many "

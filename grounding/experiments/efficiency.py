@@ -23,7 +23,7 @@ from grounding.geometry.layout import Layout
 from grounding.learning import Negatives, learn
 from grounding.learning.examples import annotated
 
-PENALTY = 0.3
+PENALTY = 0.1
 WORLDS = 4  # composed worlds of every size
 _PRELOADED = ("grounding.experiments.timing", "scipy.optimize", "scipy.sparse")
 Tell = Callable[[str], None]

@@ -23,7 +23,7 @@ from grounding.learning.examples import annotated
 from grounding.symbols import Container
 from grounding.world import load_world
 
-PENALTY = 0.3
+PENALTY = 0.1
 CANDIDATES = 6  # so many examples are grounded for each that is drawn
 _PARTS = 4  # parts of the examples, each left out of what the factors for its figures learn from
 

@@ -42,7 +42,7 @@ class Settings:
     inference: tuple[str, ...] = (ADAPTIVE,)
     parse: tuple[str, ...] = ("annotated",)
     threshold: float = 0.75
-    penalty: float = 0.3
+    penalty: float = 0.1
     readings: int = 4
     exhaustive: int = 12
     negatives: int = 0
