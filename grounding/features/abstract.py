@@ -56,12 +56,15 @@ def object_roles(scope: Scope, index: int) -> list[str]:
     roles = [f"in own {kind}" for kind, mask in scope.own_abstract.containers if mask >> index & 1]
     if scope.own_abstract.containers:
         roles.append("in own container" if roles else "outside own container")
-    children = [source.objects for source in scope.child_sources.values() if source.objects]
+    told = list(scope.child_sources.items())
+    if scope.sets.ranked_again:
+        told = [(role, source) for role, source in told if role != "head"]
+    children = [source.objects for _, source in told if source.objects]
     inside = sum(mask >> index & 1 for mask in children)
     if children:
         share = "all" if inside == len(children) else "some" if inside else "none"
         roles.append(f"in {share} of {min(len(children), 2)}")
-    for role, source in scope.child_sources.items():
+    for role, source in told:
         if source.objects >> index & 1:
             roles.append(f"in {role}")
             if source.objects & (source.objects - 1) == 0:

@@ -147,7 +147,7 @@ _MEASURED = frozenset(
 )
 
 
-_GENERAL = ("carried upward", "kind said", "other kind said", "count said", "other count said")
+_GENERAL = ("region made", "carried upward", "kind said", "other kind said", "count said", "other count said")
 
 
 def strictness(role: str) -> float:

@@ -64,10 +64,23 @@ class NamedSets:
                     found["mod.side"] = base & side
         if "mod.region" in found or "mod.in" in found:
             del found["all"]  # what a modifier restricts is looked for within it only
+        if self.ranked_again:
+            found.pop("head.in", None)
         for role in ("head", "inner", "object"):  # what was carried upward: a set and a region
             if f"{role}.in" in found and f"{role}.region" in found:
                 found[f"{role}.both"] = found[f"{role}.in"] & found[f"{role}.region"]
         return found
+
+    @lazy
+    def ranked_again(self) -> bool:
+        """Whether the one that the head has ranked among all is to be ranked again, within what the modifier means.
+
+        "The middle block" is some block; "the middle block of the row" need not be that one.
+        """
+        head, mod = self.sources.get("head", NOTHING), self.sources.get("mod", NOTHING)
+        restricted = bool(mod.containers) or any(region.kind != "robot" for region in mod.regions)
+        ranks = any(a.relation is not None and a.index is not None for a in head.attributes)
+        return restricted and ranks and single(head.objects)
 
     @lazy
     def lined(self) -> frozenset[str]:

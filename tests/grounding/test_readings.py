@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from grounding.geometry.layout import Layout
 from grounding.inference import Hypothesis, Inference
 from grounding.language.tree import from_brackets
-from grounding.readings import pick_of, readings, requested
+from grounding.readings import pick_of, preferred, readings, requested
 from grounding.symbols import (
     Action,
     Container,
@@ -107,3 +107,9 @@ def test_what_a_noun_phrase_leaves_possible(symbols, names):
 
 def test_in_an_empty_world_nothing_is_asked_for():
     assert pick_of(frozenset({ObjectAttribute("block")}), layout()) == ()
+
+
+def test_a_hypothesis_that_means_something_there_is_preferred_to_a_likelier_one_that_does_not():
+    nothing, something = leaf(SpatialReference("left"), log=0.0), leaf(ObjectSymbol("b1"), log=-1.0)
+    assert preferred(Inference(NP, (nothing, something), 0, 0), LAYOUT) is something
+    assert preferred(Inference(NP, (nothing, leaf(ObjectSymbol("b1"), log=-9.0)), 0, 0), LAYOUT) is nothing

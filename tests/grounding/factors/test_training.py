@@ -135,3 +135,22 @@ def test_the_gradient_of_counted_rows_is_that_of_their_value(content, count, see
     _, gradient = objective(flat)
     numeric = optimize.approx_fprime(flat, lambda x: objective(x)[0], 1e-6)
     np.testing.assert_allclose(gradient, numeric, atol=1e-4 * (1 + np.abs(gradient).max()))
+
+
+def strict(role):
+    return 10.0 if role == "r0" else 0.1 if role == "r1" else 1.0
+
+
+@given(phrases, st.floats(0.1, 3), st.integers(0, 99))
+def test_the_gradient_is_the_value_s_where_some_roles_are_held_nearer_to_zero(content, penalty, seed):
+    objective = Objective(training_set(content), penalty, strict)
+    weights = np.random.default_rng(seed).normal(size=int(np.prod(objective.shape)))
+    value, gradient = objective(weights)
+    numeric = optimize.approx_fprime(weights, lambda flat: objective(flat)[0], 1e-6)
+    assert np.allclose(gradient, numeric, atol=1e-3 * max(1.0, abs(value)))
+
+
+def test_strict_roles_get_smaller_weights():
+    free, held = (train(training_set(separable()), 0.3, strictness=of) for of in (lambda _: 1.0, strict))
+    column = free.roles.index("r0")
+    assert np.abs(held.weights[:, column]).sum() < np.abs(free.weights[:, column]).sum()
