@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import time
 from collections import Counter
-from functools import cached_property
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -18,8 +17,10 @@ from grounding.errors import GroundingError
 from grounding.experiments.engines import make_engine
 from grounding.experiments.processes import peak_memory
 from grounding.factors import FactorModel
+from grounding.features.discretiser import shape_roles
 from grounding.geometry.layout import Layout
 from grounding.language.tree import Phrase
+from grounding.lazy import lazy
 from grounding.world import World
 
 _WARM = 3  # blocks of the world in which each process grounds once before it is timed
@@ -120,13 +121,14 @@ def measure_cost(
 
 def _measured(worlds: list[World]) -> tuple[list[Layout], list[float]]:
     """Every world with all that is computed once for it, and the seconds that took."""
-    once = [name for name, value in vars(Layout).items() if isinstance(value, cached_property)]
+    once = [name for name, value in vars(Layout).items() if isinstance(value, lazy)]
     layouts, seconds = [], []
     for world in worlds:
         start = time.perf_counter()
         layout = Layout(world)
         for name in once:
             getattr(layout, name)
+        shape_roles(layout)
         seconds.append(time.perf_counter() - start)
         layouts.append(layout)
     return layouts, seconds

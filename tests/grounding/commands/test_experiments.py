@@ -5,6 +5,7 @@ import os
 import signal
 import subprocess
 import sys
+from functools import partial
 
 import pytest
 
@@ -139,6 +140,7 @@ def test_after_an_interrupt_nothing_runs_on(corpus, tmp_path):
         [sys.executable, "-m", "grounding", "experiments", "accuracy", "--corpus", str(corpus), "--output",
          str(tmp_path), "--splits", "500", "--holdouts", "0.34", "--jobs", "2", "--no-plots"],
         stderr=subprocess.PIPE, text=True, start_new_session=True,
+        preexec_fn=partial(signal.signal, signal.SIGINT, signal.SIG_DFL),  # tests in the background ignore it
     )  # fmt: skip
     with run:
         assert run.stderr is not None
