@@ -193,15 +193,14 @@ class NamedSets:
             if attribute.index is None or attribute.relation in (None, "between"):
                 continue
             for ref, mask in self.references.items():
-                for direction in {attribute.relation, UPRIGHT.get(attribute.relation, attribute.relation)}:
-                    if direction == "center" and ref in self.lined:
-                        chosen = self.layout.median(mask) or self.layout.central(mask)
-                    elif direction in UPRIGHT and not self.layout.stacked(mask):
-                        continue
-                    else:
-                        chosen = self.layout.nth(mask, direction, attribute.index)
-                    if chosen:
-                        found[f"ranked[{ref}|{who}]"] = chosen
+                upright = attribute.relation not in UPRIGHT or self.layout.stacked(mask)
+                direction = attribute.relation if upright else UPRIGHT[attribute.relation]
+                if direction == "center" and ref in self.lined:
+                    chosen = self.layout.median(mask) or self.layout.central(mask)
+                else:
+                    chosen = self.layout.nth(mask, direction, attribute.index)
+                if chosen:
+                    found[f"ranked[{ref}|{who}]"] = chosen
         return found
 
     @lazy
