@@ -21,18 +21,13 @@ from collections.abc import Iterator, Sequence
 from concurrent.futures import FIRST_COMPLETED, ProcessPoolExecutor, wait
 from multiprocessing import get_context
 from pathlib import Path
-from typing import Any, NoReturn
+from typing import Any
 
-BAD_INPUT, INTERRUPTED = 2, 130
+from integration.arguments import BAD_INPUT, OneLineParser
+
+INTERRUPTED = 130
 _REPORTED = 0.1
 _THREADS = ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS")
-
-
-class _Parser(argparse.ArgumentParser):
-    """Says what is wrong in one line."""
-
-    def error(self, message: str) -> NoReturn:
-        self.exit(BAD_INPUT, f"error: {message}; --help shows how it is meant\n")
 
 
 def main(argv: Sequence[str] | None = None) -> int:
@@ -66,7 +61,7 @@ def main(argv: Sequence[str] | None = None) -> int:
 
 
 def _arguments(argv: Sequence[str] | None) -> argparse.Namespace:
-    parser = _Parser("python -m integration.benchmark", description="Random worlds with known goals, end to end.")
+    parser = OneLineParser("python -m integration.benchmark", description="Random worlds with known goals, end to end.")
     parser.add_argument("--episodes", type=_positive, default=1000, help="how many (default: 1000)")
     parser.add_argument("--seed", type=_number, default=0, help="of all chance (default: 0)")
     parser.add_argument("--jobs", type=_positive, default=1, help="processes that work at the same time (default: 1)")

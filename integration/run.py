@@ -15,6 +15,7 @@ from contextlib import contextmanager, nullcontext
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NoReturn
 
+from integration.arguments import BAD_INPUT, OneLineParser
 from integration.interrupts import Interrupts
 
 if TYPE_CHECKING:
@@ -23,15 +24,8 @@ if TYPE_CHECKING:
     from grounding.world import World
     from integration.report import Report
 
-BAD_INPUT, INTERRUPTED, BROKEN_PIPE = 2, 130, 141
+INTERRUPTED, BROKEN_PIPE = 130, 141
 SCENES = Path(__file__).resolve().parents[1] / "models" / "scenes"
-
-
-class _Parser(argparse.ArgumentParser):
-    """Says what is wrong in one line."""
-
-    def error(self, message: str) -> NoReturn:
-        self.exit(BAD_INPUT, f"error: {message}; --help shows how it is meant\n")
 
 
 def main(argv: Sequence[str] | None = None) -> int:
@@ -63,7 +57,9 @@ def main(argv: Sequence[str] | None = None) -> int:
 
 
 def _arguments(argv: Sequence[str] | None) -> argparse.Namespace:
-    parser = _Parser("python -m integration.run", description="Have Baxter do what an instruction says, and check it.")
+    parser = OneLineParser(
+        "python -m integration.run", description="Have Baxter do what an instruction says, and check it."
+    )
     parser.add_argument("text", metavar="TEXT", help="the instruction, such as 'pick up the nearest block'")
     parser.add_argument("--scene", default="default", help=f"a world file, or one of {', '.join(scene_names())}")
     parser.add_argument("--arm", default="auto", choices=("auto", "left", "right"), help="which arm is to do it")

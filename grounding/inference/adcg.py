@@ -8,14 +8,15 @@ hypotheses is kept for every phrase.
 from __future__ import annotations
 
 import math
-from collections import Counter, OrderedDict
+from collections import OrderedDict
 from collections.abc import Sequence
 
 from grounding.factors.model import FactorModel
 from grounding.features import STAGES, Scope
 from grounding.features.context import context_facts
 from grounding.geometry.layout import Layout
-from grounding.inference.hypotheses import Hypothesis, Inference, best_combinations, best_sets
+from grounding.inference.engine import Children, Memory, Tally, context_key, ground, sigmoid
+from grounding.inference.hypotheses import Hypothesis, Inference, best_sets
 from grounding.language.tree import Phrase
 from grounding.symbols import Symbol
 
@@ -55,7 +56,7 @@ class Adcg:
             self._concrete.popitem(last=False)
         return judged
 
-    def infer(self, tree: Phrase, layout: Layout, memory: dict[object, list[Hypothesis]] | None = None) -> Inference:
+    def infer(self, tree: Phrase, layout: Layout, memory: Memory | None = None) -> Inference:
         """Ground every phrase of a tree.
 
         Args:
@@ -64,43 +65,21 @@ class Adcg:
             memory: phrases grounded before in this world, shared between the parses of one sentence.
         """
         run = _Run(self, layout, {} if memory is None else memory)
-        hypotheses = run.phrase(tree)
-        return Inference(tree, tuple(hypotheses), run.evaluations, run.symbols, dict(run.sizes))
+        return run.tally.inference(tree, ground(tree, run.local, self.beam, self.least))
 
 
 class _Run:
     """One tree in one world."""
 
-    def __init__(self, settings: Adcg, layout: Layout, memory: dict[object, list[Hypothesis]]) -> None:
+    def __init__(self, settings: Adcg, layout: Layout, memory: Memory) -> None:
         self.settings = settings
         self.layout = layout
         self.memory = memory
-        self.evaluations = 0
-        self.symbols = 0
-        self.sizes: Counter[str] = Counter()
+        self.tally = Tally()
 
-    def phrase(self, phrase: Phrase) -> list[Hypothesis]:
-        lists = [self.phrase(child) for child in phrase.phrases]
-        found: list[Hypothesis] = []
-        for children in best_combinations(lists, self.settings.beam):
-            below = sum(child.log_probability for child in children)
-            for own in self.local(phrase, tuple(child.symbols for child in children)):
-                found.append(
-                    Hypothesis(own.symbols, below + own.log_probability, children, own.probabilities)
-                )  # fmt: skip
-        found.sort(key=lambda h: -h.log_probability)
-        best = found[0].log_probability
-        kept: dict[frozenset[Symbol], Hypothesis] = {}
-        for hypothesis in found:
-            if hypothesis.log_probability >= best + self.settings.least:
-                kept.setdefault(hypothesis.symbols, hypothesis)
-        return list(kept.values())[: self.settings.beam]
-
-    def local(self, phrase: Phrase, children: tuple[frozenset[Symbol], ...]) -> list[Hypothesis]:
+    def local(self, phrase: Phrase, children: Children) -> list[Hypothesis]:
         """The likeliest groundings of one phrase, given those of its children."""
-        words = tuple((word.text, word.tag) for word in phrase.words)
-        key = (phrase.tag, words, tuple(child.tag for child in phrase.phrases), children,
-               tuple(child.words[:1] for child in phrase.phrases))  # fmt: skip
+        key = context_key(phrase, children)
         known = self.memory.get(key)
         if known is not None:
             return known
@@ -141,18 +120,12 @@ class _Run:
         for family in STAGES[scope.stage]:
             if family.name in scorer.role_ids:
                 proposals = family.propose(scope)
-                self.sizes[family.name] += len(proposals)
+                self.tally.add(family.name, len(proposals))
                 symbols += [symbol for symbol, _ in proposals]
                 odds += scorer.log_odds(family.name, values, [roles for _, roles in proposals])
-        self.evaluations += len(symbols)
-        self.symbols += len(symbols)
         sets = best_sets(odds, self.settings.beam, self.settings.cutoff)
-        likely = {s: _sigmoid(o) for s, o in zip(symbols, odds, strict=True) if o > _REPORTED_ODDS}
+        likely = {s: sigmoid(o) for s, o in zip(symbols, odds, strict=True) if o > _REPORTED_ODDS}
         return [(frozenset([symbols[i] for i in chosen]), log, likely) for chosen, log in sets]
-
-
-def _sigmoid(x: float) -> float:
-    return 1 / (1 + math.exp(-x)) if x > -700 else 0.0
 
 
 def _log_odds(probability: float) -> float:

@@ -55,10 +55,14 @@ class Tally:
 
 
 def context_key(phrase: Phrase, children: Children) -> object:
-    """Two phrases in one world with the same key have the same groundings."""
+    """Two phrases in one world with the same key have the same groundings: all words below them count."""
+    return _brackets(phrase), children
+
+
+def _brackets(phrase: Phrase) -> tuple[object, ...]:
+    """A phrase as nested tuples of tags and words, wherever it stands in its sentence."""
     words = tuple((word.text, word.tag) for word in phrase.words)
-    tags = tuple((child.tag, *((word.text, word.tag) for word in child.words)) for child in phrase.phrases)
-    return phrase.tag, words, tags, children
+    return (phrase.tag, words, *map(_brackets, phrase.phrases))
 
 
 def ground(
