@@ -17,6 +17,7 @@ from grounding.commands import SUMMARIES
 from grounding.corpus.format import Corpus
 from grounding.corpus.loading import load_corpus
 from grounding.corpus.treebank import build_variants, read_trees
+from grounding.corpus.wording import sampled_sentences
 from grounding.factors import save_model
 from grounding.features import FAMILIES
 from grounding.geometry.layout import Layout
@@ -25,6 +26,8 @@ from grounding.learning import learn
 from grounding.learning.examples import Annotated, annotated
 
 VARIANTS = 4
+SAMPLED = 4000
+_SEED = 7  # of the sampled texts
 PENALTY = 0.3  # chosen on held-out sentences, see benchmarks/learning.py
 
 
@@ -39,6 +42,9 @@ def add_arguments(subparsers: Any) -> None:
                         help="where grammar.json, weights.npz and weights.json go (default: models)")  # fmt: skip
     parser.add_argument("--variants", type=_count, default=VARIANTS, metavar="N",
                         help="so many variants of every tree are annotated and learned from as well")  # fmt: skip
+    parser.add_argument("--sampled", type=_count, default=SAMPLED, metavar="N",
+                        help="the grammar is learned from the trees of N sampled texts as well")  # fmt: skip
+    parser.add_argument("--grammar-only", action="store_true", help="learn and write the grammar, leave the weights")
     parser.add_argument("--penalty", type=_strength, default=PENALTY, help="strength of the L2 regularisation")
 
 
@@ -48,23 +54,31 @@ def run(args: argparse.Namespace) -> int:
     corpus = load_corpus(args.corpus)
     trees = {str(tree): tree for tree in (*read_trees(args.trees), *(e.tree for e in corpus.examples))}
     args.output.mkdir(parents=True, exist_ok=True)
-    _say(f"grammar from {len(trees)} trees")
-    grammar = Grammar.learn(trees.values())
+    _say(f"grammar from {len(trees)} trees and {args.sampled} sampled texts")
+    grammar = Grammar.learn((*trees.values(), *sampled_sentences(args.sampled, _SEED)))
+    if args.grammar_only:
+        _write_grammar(grammar, args.output)
+        return _finish({"trees": len(trees), "sampled": args.sampled}, start, args.output)
     examples = _examples(corpus)
     if args.variants:
         _say(f"{args.variants} variants of each tree, annotated")
         examples += _examples(build_variants(read_trees(args.trees), models.SCENES, args.variants))
     _say(f"factors from {len(examples)} examples")
     model = learn(examples, args.penalty, _progress(), {"examples": len(examples), "corpus": _fingerprint(corpus)})
-    written = args.output / (models.GRAMMAR.name + ".part")
-    written.write_text(grammar.to_json(), encoding="utf-8")
-    os.replace(written, args.output / models.GRAMMAR.name)
+    _write_grammar(grammar, args.output)
     save_model(model, args.output / models.WEIGHTS.name)
-    summary = {
-        "trees": len(trees), "examples": len(examples), "features": model.feature_count,
-        "seconds": round(time.perf_counter() - start, 1), "output": str(args.output),
-    }  # fmt: skip
-    print(json.dumps(summary))
+    counts = {"trees": len(trees), "sampled": args.sampled, "examples": len(examples), "features": model.feature_count}
+    return _finish(counts, start, args.output)
+
+
+def _write_grammar(grammar: Grammar, folder: Path) -> None:
+    written = folder / (models.GRAMMAR.name + ".part")
+    written.write_text(grammar.to_json(), encoding="utf-8")
+    os.replace(written, folder / models.GRAMMAR.name)
+
+
+def _finish(counts: dict[str, int], start: float, folder: Path) -> int:
+    print(json.dumps(counts | {"seconds": round(time.perf_counter() - start, 1), "output": str(folder)}))
     return 0
 
 

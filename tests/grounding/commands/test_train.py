@@ -8,6 +8,7 @@ import models
 from grounding import Grounder, load_world
 from grounding.__main__ import main
 from grounding.corpus.format import read_corpus
+from grounding.language.grammar import Grammar
 
 FILES = ["grammar.json", "weights.json", "weights.npz"]
 TREES = (
@@ -31,7 +32,7 @@ def small(tmp_path):
 
 def train(folder, output, *more):
     return main(["train", "--corpus", str(folder / "small.jsonl"), "--trees", str(folder / "trees"), "--output",
-                 str(output), "--variants", "0", *more])  # fmt: skip
+                 str(output), "--variants", "0", "--sampled", "20", *more])  # fmt: skip
 
 
 def test_the_same_corpus_gives_the_same_bytes(small, capsys):
@@ -50,8 +51,18 @@ def test_the_same_corpus_gives_the_same_bytes(small, capsys):
     assert result.outcome in ("grounded", "ambiguous", "no_referent", "not_understood")
 
 
+def test_the_grammar_can_be_learned_alone(small, capsys):
+    assert train(small, small / "out", "--grammar-only") == 0
+    assert [path.name for path in (small / "out").iterdir()] == FILES[:1]
+    assert train(small, small / "more", "--grammar-only", "--sampled", "60") == 0
+    fewer, more = (Grammar.read(small / name / FILES[0]).words.words_seen for name in ("out", "more"))
+    assert more > fewer
+    assert [json.loads(line)["sampled"] for line in capsys.readouterr().out.splitlines()] == [20, 60]
+
+
 @pytest.mark.parametrize(
-    "option", [("--penalty", "-1"), ("--penalty", "nan"), ("--penalty", "much"), ("--variants", "-2")]
+    "option",
+    [("--penalty", "-1"), ("--penalty", "nan"), ("--penalty", "much"), ("--variants", "-2"), ("--sampled", "-1")],
 )
 def test_settings_that_make_no_sense_are_refused(small, option):
     with pytest.raises(SystemExit) as left:
