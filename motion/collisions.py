@@ -151,32 +151,30 @@ class CollisionChecker:
         here, self._model, self._data = (self._model, self._data), space.model, space.data
         try:
             self._place(joints)
-            mujoco.mj_comPos(space.model, space.data)
             return self._sloped(self._required(rules))
         finally:
             self._model, self._data = here
 
     def _sloped(self, required: Array) -> list[tuple[float, float, Array]]:
-        model, data = self._model, self._data
+        data = self._data
         if data.ncon == 0:
             return []
-        pairs, gaps = data.contact.geom, data.contact.dist
+        pairs = np.array(data.contact.geom)
         wanted = required[pairs[:, 0], pairs[:, 1]]
         together = self._hand[pairs[:, 0]] & self._hand[pairs[:, 1]]
-        normals, places = data.contact.frame[:, :3], data.contact.pos
-        dofs, jacobian = self._indices.arm_dof[self._arm], np.zeros((3, model.nv))
-        found = []
-        for k in np.flatnonzero(np.isfinite(wanted) & ~together):
-            slope = np.zeros(7)
-            for geom, sign in zip(pairs[k], (-1.0, 1.0), strict=True):
-                if not self._mine[geom]:
-                    continue
-                body = model.site_bodyid[self._site] if geom == self._held_geom else model.geom_bodyid[geom]
-                mujoco.mj_jac(model, data, jacobian, None, places[k], body)
-                slope += sign * (normals[k] @ jacobian[:, dofs])
-            if np.any(np.abs(slope) > 1e-9):
-                found.append((float(gaps[k]), float(wanted[k]), slope))
-        return found
+        kept = np.flatnonzero(np.isfinite(wanted) & ~together)
+        pairs, wanted, gaps = pairs[kept], wanted[kept], np.array(data.contact.dist)[kept]
+        normals, places = data.contact.frame[kept, :3], data.contact.pos[kept]
+        # The distance grows as the second body's point moves along the normal and the first one's against it.
+        carried = self._indices.carried[self._arm].copy()
+        if self._held is not None:
+            carried[self._held_geom] = True
+        signs = carried[pairs[:, 1]].astype(np.float64) - carried[pairs[:, 0]]
+        joints = self._indices.arm_joints[self._arm]
+        arms = places[:, None] - data.xanchor[joints]
+        slopes = np.einsum("cjk,ck->cj", np.cross(data.xaxis[joints], arms), normals) * signs
+        moving = np.flatnonzero(np.any(np.abs(slopes) > 1e-9, axis=1))
+        return [(float(gaps[k]), float(wanted[k]), slopes[k]) for k in moving]
 
     def around_held(self, joints: Array, distance: float) -> frozenset[str]:
         """Names of the bodies other than the robot that are within `distance` of the held box at `joints` (7,)."""
@@ -191,6 +189,15 @@ class CollisionChecker:
                 if self._boxes[other]:
                     found.add(self._indices.bodies[other])
         return frozenset(found)
+
+    def of_hand(self, near: Near) -> bool:
+        """Whether the pair is the moving hand, or what it holds, and a box: no other posture of the arm parts them."""
+        fixed, hand = [], []
+        for name in near.bodies:
+            geoms = np.array([other == name for other in self._indices.bodies])
+            hand.append(bool(np.any(geoms & self._hand)))
+            fixed.append(bool(np.any(geoms & self._boxes & ~self._hand)))
+        return (hand[0] and fixed[1]) or (hand[1] and fixed[0])
 
     def first_conflict(self, path: Sequence[Array], rules: Rules, grid: float = GRID) -> Near | None:
         """The first conflict along straight lines in joint space through `path`, on the grid, or None."""

@@ -11,6 +11,7 @@ from functools import lru_cache
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from motion.build import robot_spec
 from motion.engine import mujoco
@@ -33,6 +34,8 @@ class SceneModel:
         box_dof: address of its velocity in qvel, by name.
         arm_qpos: (7,) addresses of an arm's joints in qpos, by arm.
         arm_dof: (7,) ditto in qvel.
+        arm_joints: (7,) an arm's joints in the model.
+        carried: (ngeom, 7) which of an arm's joints move a geom, by arm.
         arm_ctrl: (7,) an arm's actuators.
         finger_qpos: (2,) the left and right finger of each hand.
         gripper_ctrl: the gripper's actuator, by arm.
@@ -56,6 +59,8 @@ class SceneModel:
         robot = load_robot()
         self.arm_qpos = {arm: _addresses(model, robot.arms[arm].joints, "qposadr") for arm in ARMS}
         self.arm_dof = {arm: _addresses(model, robot.arms[arm].joints, "dofadr") for arm in ARMS}
+        self.arm_joints = {arm: np.array([model.joint(n).id for n in robot.arms[arm].joints]) for arm in ARMS}
+        self.carried = {arm: _carried(model, self.arm_joints[arm]) for arm in ARMS}
         self.arm_ctrl = {arm: np.array([model.actuator(n).id for n in robot.arms[arm].joints]) for arm in ARMS}
         fingers = {arm: [f"{arm[0]}_gripper_{side}_finger_joint" for side in "lr"] for arm in ARMS}
         self.finger_qpos = {arm: _addresses(model, fingers[arm], "qposadr") for arm in ARMS}
@@ -186,6 +191,14 @@ def _light(spec: Any) -> None:
 
 def _addresses(model: Any, names: Iterable[str], field: str) -> Array:
     return np.array([int(getattr(model.joint(name), field)[0]) for name in names])
+
+
+def _carried(model: Any, joints: Array) -> NDArray[np.bool_]:
+    """(ngeom, n) whether a geom's body hangs on each of the joints."""
+    hangs = np.zeros((model.nbody, len(joints)), bool)
+    for body in range(1, model.nbody):
+        hangs[body] = hangs[model.body_parentid[body]] | (model.jnt_bodyid[joints] == body)
+    return hangs[np.asarray(model.geom_bodyid)]
 
 
 def _of_hand(body: str, arm: str) -> bool:

@@ -38,8 +38,18 @@ _SLIDES = 2
 _SLIDING_SOLVER = "daqp"
 _LINE_STEPS = 8
 _LARGEST_JUMP = 0.25
+_DIFFERENT = 0.2
 
-__all__ = ["LM", "ORIENTATION_TOLERANCE", "POSITION_TOLERANCE", "IkSolution", "reachable", "solve_ik", "track"]
+__all__ = [
+    "LM",
+    "ORIENTATION_TOLERANCE",
+    "POSITION_TOLERANCE",
+    "IkSolution",
+    "reachable",
+    "solutions",
+    "solve_ik",
+    "track",
+]
 
 
 class IkSolution(NamedTuple):
@@ -139,6 +149,55 @@ def solve_ik(
         raise in_collision(data, target, conflicts, len(refused), restarts)
     starts = list(_table(arm).starts(placement.translation, placement.rotation, preferred))
     raise out_of_reach(data, kinematics, target, last, starts, restarts)
+
+
+def solutions(
+    arm: str,
+    target: Pose,
+    *,
+    seed: ArrayLike | None = None,
+    rng: np.random.Generator | None = None,
+    restarts: int = RESTARTS,
+) -> Iterator[Array]:
+    """Different postures of the arm with its tool frame at `target`, each looked for when it is asked for.
+
+    Args:
+        arm: "left" or "right".
+        target: of the tool frame, in the world's frame.
+        seed: (7,) joints to start from, radians; postures near it come first.
+        rng: where random starts come from; a fixed seed by default.
+        restarts: how many starts are tried at most, for all of them together.
+
+    Yields:
+        (7,) radians; any two differ by more than 0.2 rad in some joint.
+
+    Raises:
+        InvalidGoal: as for `solve_ik`.
+        UnreachableTarget: there is not even one; raised by the first step.
+    """
+    _check_target(target)
+    robot = load_robot()
+    data, kinematics = robot.arm(arm), robot.kinematics(arm)
+    first = None if seed is None else _checked_joints(seed, "seed", data.lower, data.upper)
+    preferred = recipe().home[arm] if first is None else first
+    placement = _placement(target)
+    last = placement * kinematics.tool_inverse
+    found: list[Array] = []
+    missed: list[Descent] = []
+    for tried, start in enumerate(_starts(arm, placement, first, preferred, rng, restarts, missed)):
+        if tried >= restarts and found:
+            return
+        descent = descend(kinematics, last, start) if tried < restarts else persist(kinematics, last, start)
+        if not descent.reached:
+            if tried == 0:
+                checked_distance(data, target)
+            missed.append(descent)
+        elif all(np.max(np.abs(descent.joints - other)) > _DIFFERENT for other in found):
+            found.append(descent.joints)
+            yield frozen(descent.joints)
+    if not found:
+        starts = list(_table(arm).starts(placement.translation, placement.rotation, preferred))
+        raise out_of_reach(data, kinematics, target, last, starts, restarts)
 
 
 def reachable(arm: str, targets: Sequence[Pose], *, restarts: int = RESTARTS) -> Array:

@@ -9,21 +9,23 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import ArrayLike
 
-from motion.attempts import BRIEF, THOROUGH, Attempt
+from motion.attempts import BRIEF, THOROUGH, Attempt, Effort
 from motion.errors import MotionError
 from motion.failures import Failures
 from motion.goals import checked_arms, checked_destination, checked_target, heading
 from motion.grasps import Grasp, grasp_candidates
 from motion.plans import Plan
-from motion.poses import Array, Pose
 from motion.recipe import recipe
 from motion.scene import LEANING, Box, Scene
 from motion.state import ARMS, RobotState
+from motion.ways import Goals, Ways, first_plan
 
 LIFT = 0.10
 _SHALLOWER = (0.008, 0.014, 0.0)
 _QUARTERS = (0.0, np.pi / 2, -np.pi / 2, np.pi)
-_FREE_TURNS = (0.0, np.pi / 4, -np.pi / 4, np.pi / 2, -np.pi / 2, 3 * np.pi / 4, -3 * np.pi / 4, np.pi)
+_FREE_TURNS = (0.0, np.pi / 4, -np.pi / 4, np.pi / 2)
+"""Headings besides its own that a box may get, radians; half a turn later it looks the same."""
+_MORE_STARTS = 12
 
 
 def plan_pick(
@@ -57,14 +59,11 @@ def plan_pick(
     checked_target(scene, target, start)
     arms = checked_arms(arm, start, target)
     failures = Failures(target)
-    for expansions, tight, grasps in _rounds(scene, target, arms, failures):
-        for grasp in grasps:
-            attempt = Attempt(scene, start, grasp.arm, target, rng, expansions, tight)
-            try:
-                attempt.take(grasp, lift)
-                return attempt.finished("pick", _raised(scene.box(target), lift))
-            except MotionError as error:
-                failures.note(grasp, error)
+    ways = Ways(scene, start, target, rng, lift, failures)
+    for effort, grasps in _rounds(scene, target, arms, failures):
+        plan = first_plan(ways.picks(grasp, effort) for grasp in grasps)
+        if plan is not None:
+            return plan
     raise failures.summary()
 
 
@@ -98,22 +97,18 @@ def plan_place(
     rng = np.random.default_rng(0) if rng is None else rng
     arms = checked_arms(arm, start, target)
     box = checked_target(scene, target, start)
-    goals = _goals(scene, box, position, yaw)
+    groups = _goals(scene, box, position, yaw)
     failures = Failures(target)
+    ways = Ways(scene, start, target, rng, LIFT, failures)
     if target in start.held.values():
-        for tight, (goal, support) in itertools.product((False, True), goals):
-            attempt = Attempt(scene, start, arms[0], target, rng, THOROUGH, tight)
-            try:
-                attempt.already_holding()
-                attempt.put(goal, support)
-                return attempt.finished("place", goal.pose)
-            except MotionError as error:
-                failures.note(None, error)
+        for tight, goals in itertools.product((False, True), groups):
+            plan = first_plan([ways.lays(arms[0], Effort(THOROUGH, tight, _MORE_STARTS), goals)])
+            if plan is not None:
+                return plan
         raise failures.summary()
-    for expansions, tight, grasps in _rounds(scene, target, arms, failures):
-        for grasp in grasps:
-            attempt = Attempt(scene, start, grasp.arm, target, rng, expansions, tight)
-            plan = _taken_and_put(attempt, grasp, goals, failures)
+    for effort, grasps in _rounds(scene, target, arms, failures):
+        for goals in groups:
+            plan = first_plan(ways.places(grasp, effort, goals) for grasp in grasps)
             if plan is not None:
                 return plan
     raise failures.summary()
@@ -145,73 +140,41 @@ def plan_home(
 
 def _rounds(
     scene: Scene, target: str, arms: tuple[str, ...], failures: Failures
-) -> Iterator[tuple[int, bool, list[Grasp]]]:
-    """Grasps to try, with the bound of each search for a path and whether it may be tight near the grasp.
+) -> Iterator[tuple[Effort, list[Grasp]]]:
+    """Grasps to try, and how hard.
 
     First all of them, then the obstructed ones with the fingers opened less, at last those that only lacked a path.
     """
     grasps = grasp_candidates(scene, target, arms)
     if scene.box(target).lean > LEANING:  # upright again, it brings the fingertips nearer to the table
         grasps = [replace(grasp, tool=grasp.backed(less)) for less in _SHALLOWER for grasp in grasps]
-    yield BRIEF, False, grasps
-    yield BRIEF, True, [grasp.narrowed() for grasp in failures.obstructed()]
-    yield THOROUGH, True, failures.without_path()
+    yield Effort(BRIEF), grasps
+    yield Effort(BRIEF, tight=True, starts=_MORE_STARTS), [grasp.narrowed() for grasp in failures.obstructed()]
+    yield Effort(THOROUGH, tight=True, starts=_MORE_STARTS), failures.without_path()
 
 
-def _taken_and_put(attempt: Attempt, grasp: Grasp, goals: list[tuple[Box, str]], failures: Failures) -> Plan | None:
-    """A plan that uses this grasp for the first of the goals that it can serve, or None, with the failures noted."""
-    try:
-        attempt.check_put(grasp, goals)
-        taking = attempt.prepare_take(grasp, LIFT)
-    except MotionError as error:
-        failures.note(grasp, error)
-        return None
-    taken = False
-    for goal, support in goals:
-        try:
-            putting = attempt.prepare_put(goal, support, taking.grip, taking.full, grasp.width)
-        except MotionError as error:
-            failures.note(grasp, error)
-            continue
-        if not taken:  # timing and verifying come last: they cost the most
-            try:
-                attempt.commit_take(taking)
-            except MotionError as error:
-                failures.note(grasp, error)
-                return None
-            taken = True
-        branch = attempt.copy()
-        try:
-            branch.commit_put(putting)
-            return branch.finished("place", goal.pose)
-        except MotionError as error:
-            failures.note(grasp, error)
-    return None
+def _goals(scene: Scene, box: Box, position: ArrayLike, yaw: float | None) -> tuple[Goals, ...]:
+    """The box at its destination in every turn to be tried, best first, each with what it rests on.
 
-
-def _raised(box: Box, lift: float) -> Pose:
-    return Pose(box.position + np.array([0, 0, lift]), box.orientation)
-
-
-def _goals(scene: Scene, box: Box, position: ArrayLike, yaw: float | None) -> list[tuple[Box, str]]:
-    """The box at its destination in every turn to be tried, best first, each with what it rests on."""
-    if yaw is None:
-        turns: Array = np.array(_FREE_TURNS)
-    else:
-        wanted = yaw - heading(box)
-        quarters = np.array(_QUARTERS) if _square(box) else np.array([0.0, np.pi])
-        turns = (wanted + quarters + np.pi) % (2 * np.pi) - np.pi
-        turns = turns[np.argsort(np.abs(turns), kind="stable")]
-    goals: list[tuple[Box, str]] = []
+    They come in groups: those of one group look the same from above.
+    """
+    alike = np.array(_QUARTERS) if _square(box) else np.array([0.0, np.pi])
+    groups: list[list[tuple[Box, str]]] = []
     first: MotionError | None = None
-    for turn in turns:
-        try:
-            goals.append(checked_destination(scene, box.name, position, float(turn)))
-        except MotionError as error:
-            first = first or error
-    if not goals and first is not None:
+    for more in (0.0,) if yaw is not None else _FREE_TURNS if not _square(box) else _FREE_TURNS[:2]:
+        wanted = more if yaw is None else yaw - heading(box)
+        turns = (wanted + alike + np.pi) % (2 * np.pi) - np.pi
+        group: list[tuple[Box, str]] = []
+        for turn in turns[np.argsort(np.abs(turns), kind="stable")]:
+            try:
+                group.append(checked_destination(scene, box.name, position, float(turn)))
+            except MotionError as error:
+                first = first or error
+        if group:
+            groups.append(group)
+    if not groups and first is not None:
         raise first
-    return goals
+    return tuple(tuple(group) for group in groups)
 
 
 def _square(box: Box) -> bool:

@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from motion.attempts import APPROACH
+from motion.approaches import APPROACH
 from motion.collisions import CLOSE, SEARCH_GRID, CollisionChecker, Near, Rules
 from motion.errors import GraspUnavailable, UnreachableTarget
 from motion.goals import checked_target

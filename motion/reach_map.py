@@ -17,7 +17,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from motion.attempts import APPROACH
+from motion.approaches import APPROACH
 from motion.cache import cached_folder
 from motion.collisions import CLOSE, CollisionChecker, Rules
 from motion.errors import InvalidGoal, InvalidScene, UnreachableTarget

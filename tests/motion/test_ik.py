@@ -4,7 +4,7 @@ from motion_layouts import TABLE
 
 from motion import Avoidance, Box, Scene, reachable
 from motion.errors import InvalidGoal, UnreachableTarget
-from motion.ik import solve_ik, track
+from motion.ik import solutions, solve_ik, track
 from motion.poses import Pose, about
 from motion.recipe import recipe
 from motion.robot import load_robot
@@ -47,6 +47,28 @@ def test_at_the_edge_of_reach_the_tolerance_decides(seed):
         solution = solve_ik("left", target)
         assert solution.position_error < 1e-4
         assert solution.orientation_error < 1e-3
+
+
+@pytest.mark.parametrize("arm", ["left", "right"])
+def test_solutions_are_different_postures_at_the_same_pose(arm):
+    rng = np.random.default_rng(3)
+    for _ in range(10):
+        target = Pose.of(DOWN, (rng.uniform(0.5, 0.7), {"left": 1, "right": -1}[arm] * rng.uniform(0.1, 0.5), 0.8))
+        found = list(solutions(arm, target))
+        assert len(found) > 1
+        for number, joints in enumerate(found):
+            distance, angle = load_robot().tool_pose(arm, joints).distance(target)
+            assert distance < 1e-4
+            assert angle < 1e-3
+            assert all(np.max(np.abs(joints - other)) > 0.2 for other in found[:number])
+
+
+def test_without_a_solution_the_first_step_says_why():
+    with pytest.raises(UnreachableTarget, match="too far"):
+        next(solutions("left", Pose.of(DOWN, (2.0, 0.0, 0.8))))
+    with pytest.raises(UnreachableTarget) as caught:
+        next(solutions("left", Pose.of(DOWN, (0.2, 0.3, 0.75))))
+    assert caught.value.reason == "joint limit"
 
 
 def test_all_of_the_table_within_reach_is_reached_from_above():
