@@ -2,302 +2,269 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import replace
 
+from grounding.corpus.base_words import Said, labels, lying_kinds, sort_words
+from grounding.corpus.clusters import clusters
 from grounding.corpus.meaning import Meaning, NotAnnotatable
+from grounding.corpus.selector import Selector
 from grounding.geometry.layout import UPRIGHT, Layout
-from grounding.geometry.masks import indices_of, single
-from grounding.language.lexicon import is_plural, is_universal, meanings, size_order
+from grounding.geometry.masks import single
 from grounding.language.tree import Phrase
 from grounding.symbols import (
     LAST,
-    Cardinal,
     Container,
     ContainerAttribute,
     ObjectAttribute,
-    ObjectColor,
     ObjectSymbol,
     ObjectType,
-    Ordinal,
     SpatialReference,
     Symbol,
 )
 
-_PLACE_NOUNS = ("side", "end", "edge", "half")
-UNKNOWN_NOUNS = frozenset(
-    "ball balls cup cups bottle bottles pen pens spoon mug hammer apple apples banana sponge toy coin book key shoe "
-    "phone plate glass lamp hat sock marble marbles song".split()
-)
-_LYING = {"horizontal": ("row",), "vertical": ("column", "tower"), "straight": ("row", "column")}
-_IGNORED = ("of", "very", "only", "whole", "entire")
+_PRONOUNS = ("it", "them", "they", "itself", "that", "this", "these", "those")
+_PEOPLE = ("i", "we", "us", "there")
+_CORNER_X, _CORNER_Y = ("front", "back", "top", "bottom"), ("left", "right")
 
 
-@dataclass
-class _Words:
-    """The words of a base noun phrase, sorted by what they say."""
+class BasePhrases:
+    """Base noun phrases in one world.
 
-    types: list[str] = field(default_factory=list)
-    colors: list[str] = field(default_factory=list)
-    relations: list[str] = field(default_factory=list)
-    indices: list[int] = field(default_factory=list)
-    numbers: list[int] = field(default_factory=list)
-    kinds: tuple[str, ...] = ()
-    place: bool = False
-    plural: bool = False
-    universal: bool = False
-    definite: bool = False
-    only: bool = False
-    robot: bool = False
-    unknown: bool = False
-    lying: str = ""
-    several: bool = False
-    size: int = 0
-
-
-def annotate_base(phrase: Phrase, layout: Layout, arrangements: tuple[tuple[str, int], ...]) -> Meaning:
-    """Ground a noun phrase without child phrases.
-
-    Raises:
-        NotAnnotatable: a word or combination that is not covered.
+    Args:
+        select: selections in the world.
+        arrangements: (kind, mask) of what is there to be spoken of.
+        history: ids of what was moved before, the latest last.
     """
-    if [word.text for word in phrase.words] == ["i"]:
-        return Meaning("empty")
-    said = _sort_words(phrase)
-    if said.robot:
+
+    def __init__(
+        self, select: Selector, arrangements: tuple[tuple[str, int], ...], history: tuple[str, ...] = ()
+    ) -> None:
+        self.layout: Layout = select.layout
+        self.arrangements = arrangements
+        self.select = select
+        self.history = history
+
+    def annotate(self, phrase: Phrase) -> Meaning:
+        """Ground a noun phrase without child phrases.
+
+        Raises:
+            NotAnnotatable: a word or combination that is not covered.
+        """
+        texts = [word.text for word in phrase.words if word.tag != "UH"]
+        if len(texts) == 1 and texts[0] in _PEOPLE:
+            return Meaning("empty")
+        if texts[-1] in ("target", "goal") and texts[0] in ("the", "your", "my"):
+            return Meaning("pronoun", index=1)
+        if texts in (["that", "one"], ["this", "one"]) or (len(texts) == 1 and texts[0] in _PRONOUNS):
+            return self._pronoun(texts[0])
+        said = sort_words(phrase, self.select.sight.opposite)
+        if said.robot or said.speaker:
+            return self._person(phrase, said)
+        if said.measure:
+            return Meaning("measure", frozenset(labels(said)))
+        if said.unknown:
+            return Meaning("nothing", frozenset(labels(said)))
+        if "table" in said.types:
+            return self._table(phrase, said)
+        if len(said.relations) == 2 and "far" in said.relations:
+            said.relations.remove("far")  # "the far left" is the left, far out
+        said.relations = list(dict.fromkeys(said.relations))
+        corner = _corner(said.relations)
+        if (len(said.relations) > 1 and not corner) or any(
+            len(values) > 1 for values in (said.colors, said.numbers, said.indices)
+        ):
+            raise NotAnnotatable(f"NP {phrase.text!r}: two words for the same thing")
+        if said.kinds:
+            return self._container(phrase, said, corner)
+        named = said.types or said.colors or said.numbers or said.plural or said.universal
+        place = said.place or not named
+        if place and not (said.types and corner):
+            return self._direction(phrase, said, corner)
+        if said.numbers == [1] and not said.types and not said.universal:
+            said.numbers, said.indefinite = [], True
+            return self._one(phrase, said, corner)  # one of them
+        if said.plural or said.universal or said.numbers:
+            if said.universal and not said.plural and said.types and not said.numbers:
+                said.plural = True  # each block
+            return self._many(phrase, said, corner)
+        return self._one(phrase, said, corner)
+
+    def _pronoun(self, text: str) -> Meaning:
+        if not self.history or text in ("them", "they", "these", "those", "itself"):
+            return Meaning("pronoun", index=2 if text in ("them", "they", "these", "those") else 1)
+        pool = self.layout.mask(self.history[-1:])
+        names = self.layout.names(pool)
+        return Meaning("one", self.select.objects(pool), pool=pool, chosen=pool, reference=names)
+
+    def _person(self, phrase: Phrase, said: Said) -> Meaning:
+        sight = self.select.sight
+        if said.speaker and sight.opposite:
+            return Meaning("speaker", frozenset({SpatialReference("far")}), relation="far")
+        if said.speaker and self.layout.world.speaker is not None and not sight.beside:
+            raise NotAnnotatable(f"NP {phrase.text!r}: the speaker looks from the side")
         return Meaning("robot", frozenset({Container("robot")}))
-    if said.unknown:
-        return Meaning("nothing", frozenset(_labels(said)))
-    if "table" in said.types:
-        tables = [item.id for item in layout.world.objects if item.type == "table"]
+
+    def _table(self, phrase: Phrase, said: Said) -> Meaning:
+        tables = [item.id for item in self.layout.world.objects if item.type == "table"]
         if len(tables) != 1 or said.relations or said.colors:
             raise NotAnnotatable(f"NP {phrase.text!r}: which table?")
         of_table: set[Symbol] = {ObjectSymbol(tables[0]), ObjectType("table")}
         return Meaning("table", frozenset(of_table), reference=tuple(tables))
-    if len(said.relations) == 2 and "far" in said.relations:
-        said.relations.remove("far")  # "the far left" is the left, far out
-    if len(said.relations) > 1 or len(said.colors) > 1 or len(said.numbers) > 1 or len(said.indices) > 1:
-        raise NotAnnotatable(f"NP {phrase.text!r}: two words for the same thing")
-    if said.kinds:
-        return _container(phrase, said, layout, arrangements)
-    if said.place or not (said.types or said.numbers or said.plural or said.universal):
-        if len(said.relations) != 1 or said.colors or said.numbers or said.indices:
+
+    def _direction(self, phrase: Phrase, said: Said, corner: tuple[str, ...]) -> Meaning:
+        if said.place in ("side", "end") and not said.relations and (said.mine or said.yours):
+            far = said.mine and self.select.sight.opposite
+            return Meaning("direction", frozenset({SpatialReference("far" if far else "near")}),
+                           relation="far" if far else "near", place=said.place, definite=True)  # fmt: skip
+        if said.colors or said.types or said.numbers or not said.relations or (said.indices and said.place):
             raise NotAnnotatable(f"NP {phrase.text!r}: no direction and no thing")
-        relation = said.relations[0]
-        return Meaning("direction", frozenset({SpatialReference(relation)}), relation=relation)
-    if said.plural or said.numbers or said.universal:
-        return _many(phrase, said, layout)
-    return _one(phrase, said, layout)
+        index = said.indices[0] if said.indices else None
+        return Meaning("direction", frozenset(labels(said)), relation=None if corner else said.relations[0],
+                       index=index, corner=corner, place=said.place, definite=said.definite,
+                       comparative=said.comparative)  # fmt: skip
+
+    def _one(self, phrase: Phrase, said: Said, corner: tuple[str, ...]) -> Meaning:
+        object_type, color = said.types[0] if said.types else None, said.colors[0] if said.colors else None
+        relation = said.relations[0] if said.relations and not corner else None
+        index = said.indices[0] if said.indices else None
+        if index == LAST and relation is None:
+            raise NotAnnotatable(f"NP {phrase.text!r}: 'last' without a direction is not covered")
+        pool = self.layout.matching(object_type, color)
+        if said.only and not single(pool) and not said.one:
+            raise NotAnnotatable(f"NP {phrase.text!r}: not the only one")
+        if said.lone:
+            pool = self.select.alone(phrase, pool)
+        head = Meaning("one", frozenset(), object_type, color, relation, index, pool=pool, corner=corner,
+                       definite=said.definite, indefinite=said.indefinite, comparative=said.comparative,
+                       verb="one" if said.one else "")  # fmt: skip
+        chosen, unclear = 0, False
+        if not said.other or single(pool):
+            try:
+                chosen = self.select.choose(phrase, pool, replace(head, comparative=False))
+            except NotAnnotatable:
+                chosen, unclear = self._closest_call(pool, head)
+        if said.comparative and pool.bit_count() != 2:
+            chosen, unclear = 0, bool(pool)
+        symbols = labels(said)
+        ranked = relation or index is not None or corner
+        symbols.add(ObjectAttribute(object_type, color, relation, index or (1 if ranked and not corner else None)))
+        symbols |= {ObjectSymbol(name) for name in self.layout.names(chosen)}
+        return replace(head, symbols=frozenset(symbols), chosen=chosen, unclear=unclear,
+                       reference=self.layout.names(chosen))  # fmt: skip
+
+    def _closest_call(self, pool: int, head: Meaning) -> tuple[int, bool]:
+        """What seems to be meant, though others are as likely; the top of which tower is decided around it."""
+        if head.corner:
+            return 0, True
+        ranked = head.relation or ""
+        if not self.layout.stacked(pool):
+            ranked = UPRIGHT.get(ranked, ranked)
+        if ranked in UPRIGHT:
+            return 0, False
+        return self.layout.nth(pool, ranked, head.index or 1), True
+
+    def _many(self, phrase: Phrase, said: Said, corner: tuple[str, ...]) -> Meaning:
+        layout = self.layout
+        object_type, color = said.types[0] if said.types else None, said.colors[0] if said.colors else None
+        relation = said.relations[0] if said.relations and not corner else None
+        number = said.numbers[0] if said.numbers else None
+        if said.indices and said.indices[0] != 1:
+            raise NotAnnotatable(f"NP {phrase.text!r}: an ordinal of several blocks is not covered")
+        if object_type is None and number is None and not said.universal:
+            raise NotAnnotatable(f"NP {phrase.text!r}: no noun")
+        if corner or said.comparative:
+            raise NotAnnotatable(f"NP {phrase.text!r}: several blocks in a corner are not covered")
+        pool = layout.matching(object_type, color)
+        if said.lone:
+            pool = self.select.alone(phrase, pool)
+        chosen, unclear = 0, False
+        if relation in ("top", "bottom") and layout.stacked(pool):
+            unclear = True  # of which tower is decided around it
+        elif relation is not None and number is not None:
+            chosen = layout.extreme(pool, UPRIGHT.get(relation, relation), number)
+            extent = sorted(layout.extent(pool, UPRIGHT.get(relation, relation)), reverse=True)
+            unclear = bool(chosen) and number < len(extent) and extent[number - 1] - extent[number] < 0.01
+            chosen = 0 if unclear else chosen
+        elif relation is not None:
+            unclear = True
+        elif number is not None:
+            chosen = pool if pool.bit_count() == number and object_type is not None and not said.other else 0
+        elif (said.definite or said.universal) and not said.other:
+            chosen = pool
+        symbols = labels(said)
+        symbols.add(ContainerAttribute(object_type, color, relation, number))
+        if chosen:
+            symbols |= set() if single(chosen) else {Container("group", layout.names(chosen))}
+            symbols |= {ObjectSymbol(name) for name in layout.names(chosen)}
+        return Meaning("many", frozenset(symbols), object_type, color, relation, None, number,
+                       said.definite or said.universal, pool, chosen, reference=layout.names(chosen),
+                       reference_kind="group", unclear=unclear, indefinite=said.indefinite)  # fmt: skip
+
+    def _container(self, phrase: Phrase, said: Said, corner: tuple[str, ...]) -> Meaning:
+        kinds = lying_kinds(said)
+        if (said.types and not said.numbers) or not kinds or (said.indices and not said.relations and not said.size):
+            raise NotAnnotatable(f"NP {phrase.text!r}: construction not covered")
+        if said.several:
+            return self._containers(phrase, said)
+        relation = said.relations[0] if said.relations and not corner else None
+        relation = UPRIGHT.get(relation or "", relation)
+        color = said.colors[0] if said.colors else None
+        number = said.numbers[0] if said.numbers else None
+        index = said.indices[0] if said.indices else None
+        found = self.of_kinds(kinds, self.layout.matching(None, color), said.slanted)
+        if color is not None and "group" in kinds:
+            found += clusters(self.layout, self.layout.matching(None, color), number, found)
+        if number is not None:
+            found = [a for a in found if a[1].bit_count() == number]
+        symbols = labels(said) | {Container(kind) for kind in kinds}
+        head = Meaning("container", frozenset(), None, color, relation, index, number, said.definite, kinds=kinds,
+                       size=said.size, corner=corner, comparative=said.comparative,
+                       indefinite=said.indefinite)  # fmt: skip
+        chosen = self.select.arrangement(phrase, found, head) if not said.other or len(found) == 1 else None
+        mask = 0
+        if chosen is not None:
+            mask = chosen[1]
+            symbols.add(Container(chosen[0], self.layout.names(mask)))
+            symbols |= {ObjectSymbol(name) for name in self.layout.names(mask)}
+        return replace(head, symbols=frozenset(symbols), pool=mask, chosen=mask,
+                       arrangements=(chosen,) if chosen else tuple(found), reference=self.layout.names(mask),
+                       reference_kind=chosen[0] if chosen else "group")  # fmt: skip
+
+    def of_kinds(self, kinds: tuple[str, ...], wanted: int, slanted: bool = False) -> list[tuple[str, int]]:
+        """The arrangements of some kinds among wanted objects; a diagonal is neither a row nor a column."""
+        sight = self.select.sight
+        found = [a for a in self.arrangements if a[0] in kinds and not a[1] & ~wanted]
+        if slanted:
+            return [a for a in found if sight.slanted(*a)]
+        line = "row" in kinds and "column" in kinds
+        return [a for a in found if line or a[0] not in ("row", "column") or not sight.slanted(*a)]
+
+    def _containers(self, phrase: Phrase, said: Said) -> Meaning:
+        """Several containers, all of their kind: "the two rows"."""
+        found = self.of_kinds(said.kinds, self.layout.everything, said.slanted)
+        number = said.numbers[0] if said.numbers else None
+        if said.relations or said.colors or len(said.kinds) > 1 or len(found) < 2 or number not in (None, len(found)):
+            raise NotAnnotatable(f"NP {phrase.text!r}: not all containers of a kind")
+        mask = 0
+        for _, members in found:
+            if mask & members:
+                raise NotAnnotatable(f"NP {phrase.text!r}: they share members")
+            mask |= members
+        symbols = labels(said) | {Container(kind) for kind in said.kinds}
+        symbols |= {Container(kind, self.layout.names(members)) for kind, members in found}
+        symbols |= {ObjectSymbol(name) for name in self.layout.names(mask)}
+        return Meaning("many", frozenset(symbols), pool=mask, chosen=mask, number=len(found), definite=True,
+                       kinds=said.kinds, arrangements=tuple(found), reference=self.layout.names(mask),
+                       reference_kind=said.kinds[0])  # fmt: skip
 
 
-def _sort_words(phrase: Phrase) -> _Words:
-    said = _Words()
-    words = phrase.words
-    for place, word in enumerate(words):
-        text, head = word.text, place == len(words) - 1
-        symbols = meanings(text)
-        if is_universal(text) or word.tag in ("DT", "PDT", "PRP$") or text in ("most", *_IGNORED):
-            if text in ("my", "another", "other", "some", "any", "its", "their"):
-                raise NotAnnotatable(f"NP {phrase.text!r}: {text!r} is not covered")
-            if text in ("a", "an") and any(Cardinal in map(type, meanings(w.text)) for w in words):
-                continue
-            said.universal |= is_universal(text)
-            said.definite |= text in ("the", "that", "this", "these", "those") or is_universal(text)
-            said.only |= text == "only"
-            if text == "everything":
-                said.plural = True
-            elif text == "both":
-                said.numbers.append(2)
-            continue
-        if text in _LYING:
-            said.lying = text
-            continue
-        if size_order(text):
-            said.size = size_order(text)
-            continue
-        if text == "one" and head and len(words) > 1:
-            said.types.append("block")
-            continue
-        said.plural |= head and is_plural(word.tag)
-        if head and text in _PLACE_NOUNS:
-            said.place = True
-            continue
-        _sort_symbols(phrase, said, text, word.tag, symbols)
-    return said
-
-
-def _sort_symbols(phrase: Phrase, said: _Words, text: str, tag: str, symbols: frozenset[Symbol]) -> None:
-    kinds = sorted(s.kind for s in symbols if isinstance(s, Container))
-    if kinds == ["robot"]:
-        said.robot = True
-        return
-    if kinds:
-        said.several = is_plural(tag)
-        said.kinds = tuple(kinds)
-        said.numbers += [s.value for s in symbols if isinstance(s, Cardinal)]
-        return
-    relations = sorted(s.name for s in symbols if isinstance(s, SpatialReference))
-    if relations:
-        said.relations.append("top" if "top" in relations else "bottom" if "bottom" in relations else relations[0])
-        return
-    for symbol in symbols:
-        match symbol:
-            case ObjectType(name):
-                said.types.append(name)
-                return
-            case ObjectColor(name):
-                said.colors.append(name)
-                return
-            case Ordinal(value):
-                said.indices.append(value)
-                return
-            case Cardinal(value):
-                said.numbers.append(value)
-                return
-    if tag in ("NN", "NNS") and not symbols and text in UNKNOWN_NOUNS:
-        said.unknown = True
-        return
-    raise NotAnnotatable(f"NP {phrase.text!r}: {text!r} is not covered")
-
-
-def _labels(said: _Words) -> set[Symbol]:
-    symbols: set[Symbol] = {ObjectType(name) for name in said.types}
-    symbols |= {ObjectColor(name) for name in said.colors}
-    symbols |= {SpatialReference(name) for name in said.relations}
-    symbols |= {Ordinal(value) for value in said.indices}
-    symbols |= {Cardinal(value) for value in said.numbers}
-    return symbols
-
-
-def _one(phrase: Phrase, said: _Words, layout: Layout) -> Meaning:
-    object_type = said.types[0]
-    color = said.colors[0] if said.colors else None
-    relation = said.relations[0] if said.relations else None
-    index = said.indices[0] if said.indices else None
-    if index == LAST and relation is None:
-        raise NotAnnotatable(f"NP {phrase.text!r}: 'last' without a direction is not covered")
-    pool = layout.matching(object_type, color)
-    if said.only and not single(pool):
-        raise NotAnnotatable(f"NP {phrase.text!r}: not the only one")
-    chosen, unclear = 0, False
-    if relation is not None:
-        ranked = relation if layout.stacked(pool) else UPRIGHT.get(relation, relation)
-        chosen = layout.nth(pool, ranked, index or 1)
-        extent = sorted(layout.extent(pool, ranked), reverse=True)
-        place = (index or 1) - 1
-        pairs = [(a, a + 1) for a in (place - 1, place) if a >= 0 and a + 1 < len(extent)]
-        if chosen and any(extent[a] - extent[b] < 0.01 for a, b in pairs):
-            unclear = ranked not in UPRIGHT
-            chosen = chosen if unclear else 0  # the top of which tower is decided above
-    elif index is None and single(pool):
-        chosen = pool
-    symbols = _labels(said)
-    symbols.add(ObjectAttribute(object_type, color, relation, index or (1 if relation else None)))
-    symbols |= {ObjectSymbol(name) for name in layout.names(chosen)}
-    return Meaning("one", frozenset(symbols), object_type, color, relation, index, pool=pool, chosen=chosen,
-                   reference=layout.names(chosen), unclear=unclear)  # fmt: skip
-
-
-def _many(phrase: Phrase, said: _Words, layout: Layout) -> Meaning:
-    object_type = said.types[0] if said.types else None
-    color = said.colors[0] if said.colors else None
-    relation = said.relations[0] if said.relations else None
-    number = said.numbers[0] if said.numbers else None
-    if said.indices and said.indices[0] != 1:
-        raise NotAnnotatable(f"NP {phrase.text!r}: an ordinal of several blocks is not covered")
-    pool = layout.matching(object_type, color)
-    if object_type is None and number is None and not said.universal:
-        raise NotAnnotatable(f"NP {phrase.text!r}: no noun")
-    chosen = 0
-    if relation in ("top", "bottom"):
-        raise NotAnnotatable(f"NP {phrase.text!r}: top and bottom of several blocks are not covered")
-    if relation is not None and number is not None:
-        chosen = layout.extreme(pool, relation, number)
-        extent = sorted(layout.extent(pool, relation), reverse=True)
-        if chosen and number < len(extent) and extent[number - 1] - extent[number] < 0.01:
-            raise NotAnnotatable(f"NP {phrase.text!r}: too close to call")
-    elif relation is not None:
-        raise NotAnnotatable(f"NP {phrase.text!r}: how many?")
-    elif number is not None:
-        chosen = pool if pool.bit_count() == number and object_type is not None else 0
-    elif said.definite:
-        chosen = pool
-    symbols = _labels(said)
-    symbols.add(ContainerAttribute(object_type, color, relation, number))
-    if chosen:
-        symbols |= set() if single(chosen) else {Container("group", layout.names(chosen))}
-        symbols |= {ObjectSymbol(name) for name in layout.names(chosen)}
-    return Meaning("many", frozenset(symbols), object_type, color, relation, None, number, said.definite, pool, chosen,
-                   reference=layout.names(chosen), reference_kind="group")  # fmt: skip
-
-
-def _container(phrase: Phrase, said: _Words, layout: Layout, arrangements: tuple[tuple[str, int], ...]) -> Meaning:
-    if said.lying:
-        said.kinds = tuple(kind for kind in said.kinds if kind in _LYING[said.lying])
-    if said.types or not said.kinds or (said.indices and not said.relations):
-        raise NotAnnotatable(f"NP {phrase.text!r}: construction not covered")
-    relation = said.relations[0] if said.relations else None
-    relation = UPRIGHT.get(relation or "", relation)
-    color = said.colors[0] if said.colors else None
-    number = said.numbers[0] if said.numbers else None
-    wanted = layout.matching(None, color)
-    found = [a for a in arrangements if a[0] in said.kinds and not a[1] & ~wanted]
-    if number is not None:
-        found = [a for a in found if a[1].bit_count() == number]
-    symbols = _labels(said)
-    symbols |= {Container(kind) for kind in said.kinds}
-    chosen = None
-    if said.several:
-        return _containers(phrase, said, layout, arrangements)
-    if len(found) == 1:
-        chosen = found[0]
-    elif found and relation:
-        middle = {kind_mask: _reach(layout, kind_mask[1], relation) for kind_mask in found}
-        order = sorted(found, key=lambda a: -middle[a])
-        place = (said.indices[0] if said.indices else 1) - 1
-        if place >= len(order):
-            raise NotAnnotatable(f"NP {phrase.text!r}: there are not so many")
-        for a, b in ((place - 1, place), (place, place + 1)):
-            if 0 <= a and b < len(order) and middle[order[a]] - middle[order[b]] < 0.05:
-                raise NotAnnotatable(f"NP {phrase.text!r}: too close to call")
-        chosen = order[place]
-    elif found and said.size:
-        order = sorted(found, key=lambda a: -said.size * a[1].bit_count())
-        if order[0][1].bit_count() == order[1][1].bit_count():
-            raise NotAnnotatable(f"NP {phrase.text!r}: equally large")
-        chosen = order[0]
-    mask = 0
-    if chosen is not None:
-        mask = chosen[1]
-        symbols.add(Container(chosen[0], layout.names(mask)))
-        symbols |= {ObjectSymbol(name) for name in layout.names(mask)}
-    return Meaning(
-        "container", frozenset(symbols), None, color, relation, said.indices[0] if said.indices else None, number,
-        said.definite, mask, mask, said.kinds, (chosen,) if chosen else tuple(found), layout.names(mask),
-        chosen[0] if chosen else "group", size=said.size,
-    )  # fmt: skip
-
-
-def _containers(phrase: Phrase, said: _Words, layout: Layout, arrangements: tuple[tuple[str, int], ...]) -> Meaning:
-    """Several containers, all of their kind: "the two rows"."""
-    found = [a for a in arrangements if a[0] in said.kinds]
-    number = said.numbers[0] if said.numbers else None
-    if said.relations or said.colors or len(said.kinds) > 1 or len(found) < 2 or number not in (None, len(found)):
-        raise NotAnnotatable(f"NP {phrase.text!r}: not all containers of a kind")
-    mask = 0
-    for _, members in found:
-        if mask & members:
-            raise NotAnnotatable(f"NP {phrase.text!r}: they share members")
-        mask |= members
-    symbols = _labels(said) | {Container(kind) for kind in said.kinds}
-    symbols |= {Container(kind, layout.names(members)) for kind, members in found}
-    symbols |= {ObjectSymbol(name) for name in layout.names(mask)}
-    return Meaning("many", frozenset(symbols), pool=mask, chosen=mask, number=len(found), definite=True,
-                   reference=layout.names(mask), reference_kind=said.kinds[0])  # fmt: skip
-
-
-def _reach(layout: Layout, mask: int, direction: str) -> float:
-    if direction == "center":
-        centre = layout.positions[:, :2].mean(axis=0)
-        middle = layout.positions[list(indices_of(mask)), :2].mean(axis=0)
-        return -float(((middle - centre) ** 2).sum() ** 0.5)
-    return float(layout.extent(mask, direction).mean())
+def _corner(relations: list[str]) -> tuple[str, ...]:
+    """Two directions that name a point together, the one along x first; empty for all others."""
+    if len(relations) != 2:
+        return ()
+    relations = [{"near": "front", "far": "back"}.get(name, name) for name in relations]
+    first, second = sorted(relations, key=lambda name: name in _CORNER_Y)
+    along = {*_CORNER_X, "center"}
+    if first in along and second in (*_CORNER_Y, "center") and (first, second) != ("center", "center"):
+        return (first, second)
+    return ()

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from grounding.corpus.meaning import NotAnnotatable
-from grounding.geometry.layout import Layout
+from grounding.corpus.meaning import Meaning, NotAnnotatable
+from grounding.corpus.sight import sight_of
+from grounding.geometry.layout import UPRIGHT, Layout
 from grounding.geometry.masks import indices_of, single
 from grounding.language.tree import Phrase
 from grounding.symbols import LAST, Container, ObjectSymbol, Region, Symbol
@@ -18,6 +19,7 @@ class Selector:
 
     def __init__(self, layout: Layout) -> None:
         self.layout = layout
+        self.sight = sight_of(layout)
 
     def objects(self, mask: int) -> frozenset[Symbol]:
         """The symbols of the members of a set."""
@@ -28,6 +30,64 @@ class Selector:
         if single(mask):
             return self.objects(mask)
         return self.objects(mask) | {Container(kind, self.layout.names(mask))}
+
+    def choose(self, phrase: Phrase, pool: int, how: Meaning, kind: str = "", upright: bool = False) -> int:
+        """The member of a set that is meant; empty where none or several could be.
+
+        Args:
+            phrase: for messages.
+            pool: the set.
+            how: what says which member: a direction, a corner, a distance to something, an index.
+            kind: of the arrangement that the set is, or "".
+            upright: whether top and bottom are up and down whatever the set.
+
+        Raises:
+            NotAnnotatable: the best one is too close to the next.
+        """
+        if how.comparative and pool.bit_count() != 2:
+            raise NotAnnotatable(f"{phrase.text!r}: a comparison is of two")
+        if how.nearest_to:
+            pool &= ~self.layout.mask(how.nearest_to)
+            return self._by(phrase, pool, self.layout.distance_to(pool, how.nearest_to), how.index or 1, how.away)
+        if how.corner:
+            point = self.sight.place(how.corner)
+            away = np.linalg.norm(self.layout.positions[list(indices_of(pool)), :2] - point, axis=1)
+            return self._by(phrase, pool, away, how.index or 1, False, 3 * MARGIN)
+        if how.relation is None:
+            return pool if single(pool) and how.index is None else 0
+        ranked = how.relation
+        if not upright and not self.layout.stacked(pool):
+            ranked = UPRIGHT.get(ranked, ranked)
+        chosen = self.rank(phrase, pool, ranked, how.index or 1, kind)
+        if how.by_speaker and chosen and self.sight.speaker is not None:
+            away = np.linalg.norm(self.layout.positions[list(indices_of(pool)), :2] - self.sight.speaker, axis=1)
+            if self._by(phrase, pool, away, how.index or 1, how.relation == "near") != chosen:
+                raise NotAnnotatable(f"{phrase.text!r}: near the speaker is not far from the robot")
+        return chosen
+
+    def _by(
+        self, phrase: Phrase, pool: int, score: np.ndarray, index: int, descending: bool, margin: float = MARGIN
+    ) -> int:
+        """The index-th member by a score, clearly before and behind its neighbours."""
+        members = list(indices_of(pool))
+        place = len(members) - 1 if index == LAST else index - 1
+        if not 0 <= place < len(members):
+            return 0
+        score = -score if descending else score
+        order = np.argsort(score, kind="stable")
+        for a, b in ((place - 1, place), (place, place + 1)):
+            if 0 <= a and b < len(order) and score[order[b]] - score[order[a]] < margin:
+                raise NotAnnotatable(f"{phrase.text!r}: too close to call")
+        return 1 << members[int(order[place])]
+
+    def alone(self, phrase: Phrase, pool: int) -> int:
+        """The members of a set that stand alone, or its only one."""
+        if single(pool):
+            return pool
+        found, clear = self.sight.alone(pool)
+        if not clear:
+            raise NotAnnotatable(f"{phrase.text!r}: which ones are alone?")
+        return found
 
     def rank(self, phrase: Phrase, pool: int, direction: str, index: int, kind: str) -> int:
         """The index-th member of a set in a direction; empty where there is none."""
@@ -63,16 +123,17 @@ class Selector:
             if 0 < edge < len(extent) and extent[edge - 1] - extent[edge] < MARGIN:
                 raise NotAnnotatable(f"{phrase.text!r}: too close to call")
 
-    def closest(self, phrase: Phrase, pool: int, reference: tuple[str, ...]) -> int:
-        """The member nearest to the reference; empty for an empty set."""
+    def nearest(self, phrase: Phrase, pool: int, how: Meaning, number: int) -> int:
+        """The `number` members nearest to a reference, or farthest from it; empty where there are fewer."""
+        pool &= ~self.layout.mask(how.nearest_to)
         members = list(indices_of(pool))
-        if not members:
+        if len(members) < number:
             return 0
-        distance = self.layout.distance_to(pool, reference)
-        order = np.argsort(distance, kind="stable")
-        if len(order) > 1 and distance[order[1]] - distance[order[0]] < MARGIN:
+        away = self.layout.distance_to(pool, how.nearest_to)
+        order = np.argsort(-away if how.away else away, kind="stable")
+        if len(order) > number and abs(away[order[number]] - away[order[number - 1]]) < MARGIN:
             raise NotAnnotatable(f"{phrase.text!r}: too close to call")
-        return 1 << members[int(order[0])]
+        return sum(1 << members[int(i)] for i in order[:number])
 
     def first_met(self, pool: int, region: Region) -> int:
         """Of several objects in a direction of a thing, the one that comes first, if it clearly does."""
@@ -89,10 +150,42 @@ class Selector:
         """The index-th of several arrangements in a direction."""
         if direction == "center":
             centre = self.layout.positions[:, :2].mean(axis=0)
-            score = [-float(np.linalg.norm(self.layout.positions[list(indices_of(m)), :2].mean(axis=0) - centre))
-                     for _, m in cands]  # fmt: skip
+            score = [-float(np.linalg.norm(self._middle_of(mask) - centre)) for _, mask in cands]
         else:
             score = [float(self.layout.extent(mask, direction).mean()) for _, mask in cands]
+        return self._best(phrase, cands, score, index)
+
+    def arrangement(self, phrase: Phrase, cands: list[tuple[str, int]], how: Meaning) -> tuple[str, int] | None:
+        """Which of several arrangements is meant; None where none or several could be.
+
+        Raises:
+            NotAnnotatable: the best one is too close to the next.
+        """
+        if how.comparative and len(cands) != 2:
+            raise NotAnnotatable(f"{phrase.text!r}: a comparison is of two")
+        if len(cands) == 1:
+            return cands[0] if how.index in (None, 1, LAST) else None
+        if not cands:
+            return None
+        if how.nearest_to:
+            away = [float(self.layout.distance_to(mask, how.nearest_to).min()) for _, mask in cands]
+            return self._best(phrase, cands, away if how.away else [-value for value in away], how.index or 1)
+        if how.corner:
+            point = self.sight.place(how.corner)
+            return self._best(phrase, cands, [-float(np.linalg.norm(self._middle_of(m) - point)) for _, m in cands],
+                              how.index or 1)  # fmt: skip
+        if how.relation:
+            return self.extreme_arrangement(phrase, cands, how.relation, how.index or 1)
+        if how.size:
+            sizes = [float(how.size * mask.bit_count()) for _, mask in cands]
+            return self._best(phrase, cands, sizes, how.index or 1)
+        return None
+
+    def _middle_of(self, mask: int) -> np.ndarray:
+        return np.asarray(self.layout.positions[list(indices_of(mask)), :2].mean(axis=0))
+
+    def _best(self, phrase: Phrase, cands: list[tuple[str, int]], score: list[float], index: int) -> tuple[str, int]:
+        """The index-th of several arrangements by a score, clearly before and behind its neighbours."""
         order = sorted(range(len(cands)), key=lambda i: -score[i])
         place = len(order) - 1 if index == LAST else index - 1
         if place >= len(order):
@@ -102,13 +195,6 @@ class Selector:
                 raise NotAnnotatable(f"{phrase.text!r}: too close to call")
         return cands[order[place]]
 
-    def largest(self, phrase: Phrase, cands: list[tuple[str, int]], sign: int) -> tuple[str, int]:
-        """The arrangement with the most members, or the fewest for sign -1."""
-        ordered = sorted(cands, key=lambda a: -sign * a[1].bit_count())
-        if len(ordered) > 1 and ordered[0][1].bit_count() == ordered[1][1].bit_count():
-            raise NotAnnotatable(f"{phrase.text!r}: equally large")
-        return ordered[0]
-
     def middle(self, direction: str) -> float:
         """Where the table's half in a direction begins."""
         tables = [item for item in self.layout.world.objects if item.type == "table"]
@@ -117,6 +203,7 @@ class Selector:
 
     def half(self, phrase: Phrase, pool: int, direction: str, clear: bool = False) -> int:
         """The members on one half of the table; `clear` asks that none stands near its middle."""
+        direction = UPRIGHT.get(direction, direction)
         if direction not in ("left", "right", "front", "back"):
             raise NotAnnotatable(f"{phrase.text!r}: no half of the table is meant")
         members = list(indices_of(pool))

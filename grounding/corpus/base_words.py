@@ -1,0 +1,236 @@
+"""The words of base noun phrases, sorted by what they say of the objects that are meant."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+from grounding.corpus.meaning import NotAnnotatable
+from grounding.corpus.words import (
+    BLOCKS,
+    IGNORED,
+    INDEFINITE,
+    LENGTHS,
+    LONE,
+    OPPOSITE,
+    OTHER,
+    PLACE_NOUNS,
+    TABLES,
+    directions,
+)
+from grounding.language.lexicon import is_plural, is_universal, meanings, size_order
+from grounding.language.tree import Phrase, Word
+from grounding.symbols import (
+    Cardinal,
+    Container,
+    ObjectColor,
+    ObjectType,
+    Ordinal,
+    SpatialReference,
+    Symbol,
+)
+
+UNKNOWN_NOUNS = frozenset(
+    "ball balls cup cups bottle bottles pen pens spoon mug hammer apple apples banana sponge toy coin coins book books "
+    "key keys shoe phone plate glass lamp hat sock marble marbles song pyramid cylinder car bowl fork knife door "
+    "story".split()
+)
+_LYING = {"horizontal": ("row",), "vertical": ("column", "tower"), "straight": ("row", "column")}
+_NUMBERED = {"trio": ("group", 3), "couple": ("group", 2), "quartet": ("group", 4)}
+_SHAPES = {"formation": "group", "structure": "tower", "arrangement": "group", "grouping": "group"}
+_VIEWERS = ("my", "your", "me", "myself")
+_EVERYTHING = ("everything", "them")
+_COMPARATIVES = ("closer", "nearer", "farther", "further", "higher", "lower")
+_NUMBERING = ("number", "no")
+
+
+@dataclass
+class Said:
+    """What the words of a base noun phrase say."""
+
+    types: list[str] = field(default_factory=list)
+    colors: list[str] = field(default_factory=list)
+    relations: list[str] = field(default_factory=list)
+    indices: list[int] = field(default_factory=list)
+    numbers: list[int] = field(default_factory=list)
+    kinds: tuple[str, ...] = ()
+    place: str = ""
+    plural: bool = False
+    universal: bool = False
+    definite: bool = False
+    indefinite: bool = False
+    only: bool = False
+    lone: bool = False
+    other: bool = False
+    comparative: bool = False
+    robot: bool = False
+    speaker: bool = False
+    unknown: bool = False
+    measure: bool = False
+    slanted: bool = False
+    lying: str = ""
+    several: bool = False
+    size: int = 0
+    its: bool = False
+    one: bool = False
+    mine: bool = False
+    yours: bool = False
+
+
+def sort_words(phrase: Phrase, opposite: bool) -> Said:
+    """Sort the words of a base noun phrase.
+
+    Args:
+        phrase: without child phrases.
+        opposite: whether the speaker looks at the robot, so that "my left" is the robot's right.
+
+    Raises:
+        NotAnnotatable: a word that is not covered, by name.
+    """
+    said = Said()
+    words = [word for word in phrase.words if word.tag != "UH"]
+    for place, word in enumerate(words):
+        text, head = word.text, place == len(words) - 1
+        if _function_word(phrase, said, word, words):
+            said.mine |= text == "my"
+            said.yours |= text == "your"
+            continue
+        if text in _LYING and not head:
+            said.lying = text
+            continue
+        if text == "diagonal":
+            said.slanted = True
+            if head:
+                said.kinds = ("column", "row")
+            continue
+        if size_order(text):
+            said.size = size_order(text)
+            continue
+        if text == "one" and head and len(words) > 1 and not said.numbers:
+            said.types.append("block")
+            said.one = True
+            continue
+        if text == "ones" and head:
+            said.types.append("block")
+            said.plural = said.one = True
+            continue
+        said.plural |= head and is_plural(word.tag)
+        if text in PLACE_NOUNS and (head or words[place + 1].text in ("block", "cube", "box", "brick", "piece", "one")):
+            if head:
+                said.place = text
+            continue
+        if text in _COMPARATIVES and word.tag == "JJR":
+            said.comparative = True
+        _sort_symbols(phrase, said, word, head)
+    if said.mine and opposite:
+        said.relations = [OPPOSITE.get(name, name) for name in said.relations]
+    return said
+
+
+def _function_word(phrase: Phrase, said: Said, word: Word, words: Sequence[Word]) -> bool:
+    text = word.text
+    if text == "one" and len(words) > 1 and words[0] is word and words[-1].tag == "NN":
+        said.indefinite = True  # "one red block"
+        return True
+    if text in LONE:
+        said.lone = True
+        return True
+    if text in OTHER:
+        said.other = said.indefinite = True
+        return True
+    if text == "its":
+        said.its = said.definite = True
+        return True
+    if not (is_universal(text) or word.tag in ("DT", "PDT", "PRP$") or text == "most" or text in IGNORED):
+        return False
+    if text == "half" and (words[-1].text in LENGTHS or words[-1].tag == "NN") and words[0].text != "the":
+        said.measure = True
+        return True
+    if text in ("their", "no", "half"):
+        raise NotAnnotatable(f"NP {phrase.text!r}: {text!r} is not covered")
+    if text in ("a", "an") and any(Cardinal in map(type, meanings(w.text)) for w in words):
+        return True
+    said.universal |= is_universal(text)
+    said.indefinite |= text in INDEFINITE
+    said.definite |= text in ("the", "that", "this", "these", "those", "your", "my") or is_universal(text)
+    said.only |= text == "only"
+    if text == "everything":
+        said.plural = True
+    elif text == "both":
+        said.numbers.append(2)
+    return True
+
+
+def _sort_symbols(phrase: Phrase, said: Said, word: Word, head: bool) -> None:
+    text = word.text
+    symbols = meanings(text)
+    if text in ("me", "myself", "speaker"):
+        said.speaker = True
+        return
+    if text in ("yourself", "you"):
+        said.robot = True
+        return
+    if text in BLOCKS and head:
+        said.types.append("block")
+        return
+    if text in TABLES:
+        if head:
+            said.types.append("table")
+        return
+    if text in LENGTHS and head:
+        said.measure = True
+        return
+    if text in _NUMBERED:
+        kind, number = _NUMBERED[text]
+        said.kinds = (kind,)
+        said.numbers.append(number)
+        return
+    if text in _SHAPES:
+        said.kinds = (_SHAPES[text],)
+        return
+    kinds = sorted(s.kind for s in symbols if isinstance(s, Container))
+    if kinds == ["robot"]:
+        said.robot = True
+        return
+    if kinds:
+        said.several = is_plural(word.tag)
+        said.kinds = tuple(kinds)
+        said.numbers += [s.value for s in symbols if isinstance(s, Cardinal)]
+        return
+    named = directions(text)
+    if named:
+        said.relations += named
+        return
+    for symbol in symbols:
+        match symbol:
+            case ObjectType(name):
+                said.types.append(name)
+                return
+            case ObjectColor(name):
+                said.colors.append(name)
+                return
+            case Ordinal(value):
+                said.indices.append(value)
+                return
+            case Cardinal(value):
+                said.numbers.append(value)
+                return
+    if word.tag in ("NN", "NNS") and not symbols and text in UNKNOWN_NOUNS:
+        said.unknown = True
+        return
+    raise NotAnnotatable(f"NP {phrase.text!r}: {text!r} is not covered")
+
+
+def labels(said: Said) -> set[Symbol]:
+    """The concrete symbols that the words name."""
+    symbols: set[Symbol] = {ObjectType(name) for name in said.types}
+    symbols |= {ObjectColor(name) for name in said.colors}
+    symbols |= {SpatialReference(name) for name in said.relations}
+    symbols |= {Ordinal(value) for value in said.indices}
+    symbols |= {Cardinal(value) for value in said.numbers}
+    return symbols
+
+
+def lying_kinds(said: Said) -> tuple[str, ...]:
+    """The kinds of arrangement that the words allow: a horizontal line is a row."""
+    return tuple(kind for kind in said.kinds if kind in _LYING[said.lying]) if said.lying else said.kinds
