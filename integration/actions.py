@@ -15,7 +15,8 @@ from integration.laying import Laying
 from integration.recovery import free_hands, persist, put_back, remove_leaning
 from integration.spots import beside, out_of_the_way, region_of
 from integration.stage import Stage
-from motion import Plan, Scene
+from integration.uncovering import uncover
+from motion import Plan, RobotState, Scene
 from motion.state import ARMS
 
 
@@ -69,8 +70,11 @@ def _pick(stage: Stage, objects: Sequence[str], arm: str) -> tuple[Check, ...]:
             raise NoPlan("a hand cannot be freed for another try", tuple(objects), "hands")
         put_back(stage, before, _touched(stage, objects))
         for name in objects:
+            uncover(stage, name, hand, lambda scene, start: _plan_picks(stage, objects, hand, scene, start))
             remove_leaning(stage, name)
-        for plan, name in zip(_plan_picks(stage, objects, hand), objects, strict=True):
+        for plan, name in zip(
+            _plan_picks(stage, objects, hand, stage.scene, stage.simulator.state()), objects, strict=True
+        ):
             stage.execute(plan, "pick", name)
 
     def check() -> tuple[Check, ...]:
@@ -108,17 +112,17 @@ def _touched(stage: Stage, objects: Sequence[str]) -> tuple[str, ...]:
     return (*objects, *sorted(stage.moved))
 
 
-def _plan_picks(stage: Stage, objects: Sequence[str], arm: str) -> list[Plan]:
+def _plan_picks(stage: Stage, objects: Sequence[str], arm: str, scene: Scene, start: RobotState) -> list[Plan]:
     """A plan for each object; for two objects, whichever pair of hands works."""
     if len(objects) == 1:
-        return [stage.plan_pick(objects[0], arm)]
+        return [stage.plan_pick(objects[0], arm, scene=scene, start=start)]
     refusal: NoPlan | None = None
-    for first in _hands(stage.scene, objects):
+    for first in _hands(scene, objects):
         second = ARMS[1 - ARMS.index(first)]
         try:
-            one = stage.plan_pick(objects[0], first)
-            scene: Scene = stage.scene.moved({objects[0]: one.goal}) if one.goal is not None else stage.scene
-            return [one, stage.plan_pick(objects[1], second, scene=scene, start=one.end)]
+            one = stage.plan_pick(objects[0], first, scene=scene, start=start)
+            lifted = scene if one.goal is None else scene.moved({objects[0]: one.goal})
+            return [one, stage.plan_pick(objects[1], second, scene=lifted, start=one.end)]
         except NoPlan as error:
             refusal = refusal or error
     assert refusal is not None
@@ -149,7 +153,8 @@ def _place(stage: Stage, action: GroundedAction, arm: str) -> tuple[Check, ...]:
 
     laying = Laying(stage, "place", arm)
     for number, name in enumerate(action.objects):
-        if not laying.put(name, partial(spots, number)):
+        box = stage.scene.box(name)
+        if not laying.put(name, partial(spots, number), [box.footprint - box.position[:2] + place[:2]]):
             break
     return laying.checked(action.objects, "at its destination")
 
@@ -178,7 +183,7 @@ def _one_of(laying: Laying, stage: Stage, left: Sequence[str], region: np.ndarra
     refusal: NoPlan | None = None
     for name in left:
         try:
-            done = laying.put(name, lambda name=name: out_of_the_way(stage.scene, name, region))  # type: ignore[misc]
+            done = laying.put(name, lambda name=name: out_of_the_way(stage.scene, name, region), [region])  # type: ignore[misc]
         except NoPlan as error:
             refusal = refusal or error
         else:

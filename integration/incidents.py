@@ -7,7 +7,7 @@ from typing import Any
 
 from integration.errors import IntegrationError
 
-KINDS = ("moved", "gripper", "missed", "slipped", "tracking", "leaning", "bystander", "check", "plan")
+KINDS = ("moved", "gripper", "missed", "slipped", "tracking", "leaning", "covered", "bystander", "check", "plan")
 
 
 @dataclass(frozen=True)
@@ -17,8 +17,9 @@ class Incident:
     Attributes:
         kind: "moved" (the block was not where it had been), "gripper" (it did not open or close as told), "missed" (the
             fingers closed on nothing), "slipped" (what was held was lost, or turned in the hand), "tracking" (the arm
-            was not where it should be), "leaning" (another block leans on the one that is meant), "bystander" (another
-            block was moved), "check" (the end was not as it should be) or "plan" (there was no further plan).
+            was not where it should be), "leaning" (another block leans on the one that is meant), "covered" (another
+            block stood on it), "bystander" (another block was moved), "check" (the end was not as it should be) or
+            "plan" (there was no further plan).
         object: id of the object it is about.
         phase: of the plan, or "" after its end.
         message: what was noticed, for people.

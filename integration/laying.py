@@ -5,12 +5,15 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from integration import checks
 from integration.checks import Check
 from integration.errors import NoPlan
 from integration.recovery import persist, put_back, remove_leaning, spread
 from integration.stage import Stage
+from integration.uncovering import uncover
+from motion import Plan, RobotState, Scene
 
 _ROUNDS = 2
 _OF_ONE = ("at_goal", "supported", "released", "at_rest")
@@ -39,8 +42,13 @@ class Laying:
         self._spots: dict[str, Spots] = {}
         self._given_up = False
 
-    def put(self, name: str, spots: Spots) -> bool:
+    def put(self, name: str, spots: Spots, keep_free: Sequence[ArrayLike] = ()) -> bool:
         """Sets an object down, and again where it was not seen there; False if it was given up.
+
+        Args:
+            name: the object.
+            spots: where it may go.
+            keep_free: convex outlines, (n, 2) in [m], where nothing else is to be set aside.
 
         Raises:
             NoPlan: there is no plan for it.
@@ -48,6 +56,7 @@ class Laying:
         self._spots[name] = spots
 
         def attempt(arm: str) -> None:
+            uncover(self._stage, name, arm, lambda scene, start: self._plan(name, spots, arm, scene, start), keep_free)
             remove_leaning(self._stage, name)
             self._put(name, spots, arm)
 
@@ -86,17 +95,25 @@ class Laying:
 
     def _put(self, name: str, spots: Spots, arm: str) -> None:
         """Sets an object down at the first of its spots that a plan leads to."""
+        spot, plans = self._plan(name, spots, arm, self._stage.scene, self._stage.simulator.state())
+        self.goals[name] = spot
+        for plan in plans:
+            self._stage.execute(plan, self._action, name)
+
+    def _plan(
+        self, name: str, spots: Spots, arm: str, scene: Scene, start: RobotState
+    ) -> tuple[np.ndarray, tuple[Plan, ...]]:
+        """The first of an object's spots that a plan leads to, and the plans.
+
+        Raises:
+            NoPlan: there is none.
+        """
         refusal: NoPlan | None = None
         for spot in spread(spots()):
             try:
-                plans = self._stage.plan_transport(name, spot, arm)
+                return spot, self._stage.plan_transport(name, spot, arm, scene=scene, start=start)
             except NoPlan as error:
                 refusal = refusal or error
-            else:
-                self.goals[name] = spot
-                for plan in plans:
-                    self._stage.execute(plan, self._action, name)
-                return
         raise refusal or NoPlan(f"there is no free room on the table to put {name}", (name,), "room")
 
     def _measured(self, objects: Sequence[str], what: str) -> tuple[Check, ...]:

@@ -7,16 +7,13 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import ArrayLike
 
+import motion
 from grounding.pictures.outlines import convex_hull, rounded_hull
 from integration.outlines import distances_outside
-from motion import Box, Scene
+from motion import Scene
 from motion.scene import standing
+from motion.spots import radius
 
-GRID = 0.02
-ROOM = 0.035
-"""Least gap to every other block in [m]: fingers fit in."""
-MARGIN = 0.02
-"""Least gap to the edge of the table in [m]."""
 REGION = 0.02
 """By how much a region is larger than the outline of what lies in it, in [m]."""
 _EDGE = 0.6  # how much being near an edge weighs against a short way
@@ -39,10 +36,11 @@ def free_spots(scene: Scene, name: str, avoid: Sequence[ArrayLike] = ()) -> np.n
     Returns:
         (n, 3) places of its centre in [m], in a fixed order.
     """
-    box = standing(scene.box(name))
-    reach = float(np.max(np.linalg.norm(box.footprint - box.position[:2], axis=1)))
-    found = [_on(scene, table, box, reach, avoid) for table in scene.boxes if table.fixed]
-    return np.concatenate(found) if found else np.empty((0, 3))
+    spots = motion.free_spots(scene, name)
+    free = np.ones(len(spots), dtype=bool)
+    for outline in avoid:
+        free &= distances_outside(convex_hull(outline), spots[:, :2]) >= radius(standing(scene.box(name)))
+    return spots[free]
 
 
 def out_of_the_way(scene: Scene, name: str, region: np.ndarray) -> np.ndarray:
@@ -66,22 +64,3 @@ def beside(scene: Scene, name: str, place: ArrayLike) -> np.ndarray:
     spots = free_spots(scene, name)
     ways = np.linalg.norm(spots[:, :2] - np.asarray(place, dtype=float)[:2], axis=1)
     return spots[np.lexsort((spots[:, 1], spots[:, 0], np.round(ways, 4)))]
-
-
-def _on(scene: Scene, table: Box, box: Box, reach: float, avoid: Sequence[ArrayLike]) -> np.ndarray:
-    low = table.position[:2] - table.half_extents[:2] + reach + MARGIN
-    high = table.position[:2] + table.half_extents[:2] - reach - MARGIN
-    if (high < low).any():
-        return np.empty((0, 3))
-    x, y = (np.arange(np.ceil(a / GRID), np.floor(b / GRID) + 1) * GRID for a, b in zip(low, high, strict=True))
-    places = np.array(np.meshgrid(x, y, indexing="ij")).reshape(2, -1).T
-    free = np.ones(len(places), dtype=bool)
-    for other in scene.boxes:
-        if other.fixed or other.name == box.name:
-            continue
-        size = float(np.max(np.linalg.norm(other.footprint - other.position[:2], axis=1)))
-        free &= np.linalg.norm(places - other.position[:2], axis=1) >= reach + size + ROOM
-    for outline in avoid:
-        free &= distances_outside(convex_hull(outline), places) >= reach
-    height = table.top + float(box.half_extents[2])
-    return np.column_stack([places[free], np.full(int(free.sum()), height)])

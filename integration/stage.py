@@ -9,6 +9,7 @@ from types import TracebackType
 from typing import Any, Protocol
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 import motion
 from integration.checks import HELD_FOR, drifts
@@ -157,12 +158,20 @@ class Stage:
         Raises:
             NoPlan: with motion's reason.
         """
+        options = {"scene": self.scene, "start": self.simulator.state(), **options}
+        scene = options.pop("scene")
         with self._timed(f"plan the place of {name}"), _refusals(name):
-            return tuple(
-                self._planner.plan_transport(
-                    self.scene, name, position, arm=arm, start=self.simulator.state(), rng=self._rng, **options
-                )
-            )
+            return tuple(self._planner.plan_transport(scene, name, position, arm=arm, rng=self._rng, **options))
+
+    def plan_unstacking(self, name: str, arm: str, keep_free: Sequence[ArrayLike] = ()) -> tuple[Plan, ...]:
+        """Plans to set aside what stands on an object, from where everything is now; none where nothing does.
+
+        Raises:
+            NoPlan: with motion's reason.
+        """
+        scene, start = self.scene, self.simulator.state()
+        with self._timed(f"plan to uncover {name}"), _refusals(name):
+            return motion.plan_unstacking(scene, name, arm=arm, start=start, rng=self._rng, keep_free=keep_free)
 
     def plan_home(self, arm: str) -> Plan:
         """A plan to bring an arm home from where it is.

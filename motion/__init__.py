@@ -28,6 +28,8 @@ What there is:
   retreat, home.
 - `plan_transport(...)`, like `plan_place`, gives one plan or, where no single hand reaches both places, two: one hand
   sets the box down in the middle, the other takes it on.
+- `plan_unstacking(scene, target, ...)` gives the plans that set aside what stands on a box (`stacked_on`), the topmost
+  first; `free_spots(scene, name)` are the places on tables where a box could go.
 - `Simulator(scene, state=None, faults=())`, with faults such as `Slip()`, `Push("b1", (0.02, 0))` and `Jam("left")`:
   `execute(plan, on_step=None)` gives an `Execution` (`phases`, `holding`, `contacts`, `tracking_error`, `duration`);
   `hold(seconds, on_step=None)`, `settle(seconds=2.0)`; `poses()`, `scene()` (as it is
@@ -38,8 +40,9 @@ What there is:
 - `Renderer(scene, width, height)`: `render(simulator=None, camera="front", markers=())` gives (height, width, 3) uint8;
   `project(points, camera)` gives pixels for labels; cameras "front", "robot", "top", "side", or a `Camera` of one's
   own; `Marker(position, size, color, shape)`. `rendering_available()` says whether OpenGL can be started.
-- `solve_ik(arm, pose, ...)`, `reachable(arm, poses)`, `servo(arm, joints, pose, dt, ...)` with `Avoidance(scene, arm)`;
-  `load_robot().kinematics(arm)`: kinematics of both hands, see docs/kinematics.md.
+- `solve_ik(arm, pose, ...)`, `solutions(arm, pose)` for all postures, `reachable(arm, poses)`, and `servo(arm, joints,
+  pose, dt, ...)` with `Avoidance(scene, arm)`; `load_robot().kinematics(arm)`: kinematics of both hands, see
+  docs/kinematics.md.
 - `grasp_candidates(scene, name)`; `reach_box(scene, name)` for those an arm can make; `reach_map(table)`, a `ReachMap`.
 - Errors: all below `MotionError`; see `motion/errors.py`.
 """
@@ -65,7 +68,7 @@ from motion.errors import (
 )
 from motion.faults import Fault, Jam, Push, Slip
 from motion.grasps import Grasp, grasp_candidates
-from motion.ik import IkSolution, reachable, solve_ik
+from motion.ik import IkSolution, reachable, solutions, solve_ik
 from motion.ik_avoid import Avoidance
 from motion.ik_servo import servo
 from motion.kinematics import ArmKinematics
@@ -79,9 +82,11 @@ from motion.robot import Robot, load_robot
 from motion.scene import Box, Scene
 from motion.sensing import Sensor
 from motion.simulator import Execution, PhaseRecord, Simulator
+from motion.spots import free_spots
 from motion.state import RobotState
 from motion.timing import Trajectory
 from motion.transport import plan_transport
+from motion.unstacking import plan_unstacking, stacked_on
 
 __all__ = [
     "CAMERAS",
@@ -123,17 +128,21 @@ __all__ = [
     "Trajectory",
     "UnknownBody",
     "UnreachableTarget",
+    "free_spots",
     "grasp_candidates",
     "load_robot",
     "plan_home",
     "plan_pick",
     "plan_place",
     "plan_transport",
+    "plan_unstacking",
     "reach_box",
     "reach_grasp",
     "reach_map",
     "reachable",
     "rendering_available",
     "servo",
+    "solutions",
     "solve_ik",
+    "stacked_on",
 ]

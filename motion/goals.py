@@ -29,7 +29,8 @@ def checked_target(scene: Scene, name: str, state: RobotState) -> Box:
     above = [other.name for other in scene.boxes_above(name) if other.name not in state.held.values()]
     if above:
         raise InvalidGoal(
-            f"{name!r} is under {', '.join(map(repr, above))}; what stands on it must be moved first", name
+            f"{name!r} is under {', '.join(map(repr, above))}; what stands on it must be moved first (plan_unstacking)",
+            name,
         )
     return box
 

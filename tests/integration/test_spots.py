@@ -3,8 +3,9 @@ import pytest
 from by_hand import scene
 
 from integration.outlines import distances_outside
-from integration.spots import MARGIN, ROOM, beside, free_spots, out_of_the_way, region_of
+from integration.spots import beside, free_spots, out_of_the_way, region_of
 from integration.worlds import scene_of
+from motion.spots import MARGIN, ROOM
 
 
 @pytest.mark.parametrize("name", ["default", "tower", "twenty_mixed"])
