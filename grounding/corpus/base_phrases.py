@@ -58,6 +58,8 @@ class BasePhrases:
         if texts in (["that", "one"], ["this", "one"]) or (len(texts) == 1 and texts[0] in _PRONOUNS):
             return self._pronoun(texts[0])
         said = sort_words(phrase, self.select.sight.opposite)
+        if said.types == ["block"] and len(said.types) == len(texts) - 1 - said.same and said.pointed:
+            return self._pointed(said)
         if said.robot or said.speaker:
             return self._person(phrase, said)
         if said.measure:
@@ -95,6 +97,13 @@ class BasePhrases:
         pool = self.layout.mask(self.history[-1:])
         names = self.layout.names(pool)
         return Meaning("one", self.select.objects(pool), pool=pool, chosen=pool, reference=names)
+
+    def _pointed(self, said: Said) -> Meaning:
+        """That block: the one that was spoken of, if any was."""
+        if self.history:
+            return self._pronoun("it")
+        symbols = labels(said) | {ObjectAttribute("block", None, None, None)}
+        return Meaning("pronoun", frozenset(symbols), index=1)
 
     def _person(self, phrase: Phrase, said: Said) -> Meaning:
         sight = self.select.sight

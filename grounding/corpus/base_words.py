@@ -73,6 +73,8 @@ class Said:
     size: int = 0
     its: bool = False
     one: bool = False
+    same: bool = False
+    pointed: bool = False
     mine: bool = False
     yours: bool = False
 
@@ -150,6 +152,8 @@ def _function_word(phrase: Phrase, said: Said, word: Word, words: Sequence[Word]
         raise NotAnnotatable(f"NP {phrase.text!r}: {text!r} is not covered")
     if text in ("a", "an") and any(Cardinal in map(type, meanings(w.text)) for w in words):
         return True
+    said.same |= text == "same"
+    said.pointed |= text in ("that", "this", "same")
     said.universal |= is_universal(text)
     said.indefinite |= text in INDEFINITE
     said.definite |= text in ("the", "that", "this", "these", "those", "your", "my") or is_universal(text)

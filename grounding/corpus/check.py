@@ -75,14 +75,14 @@ def check_words(corpus: Corpus) -> Iterator[Finding]:
 
 
 def check_agreement(corpus: Corpus) -> Iterator[Finding]:
-    """Phrases with the same words and the same tree, in the same world, have the same symbols.
+    """Phrases with the same words and the same tree, in the same world after the same history, have the same symbols.
 
     Of those that differ, the ones against the majority are reported; against the first, where there is none.
     """
-    seen: dict[tuple[str, str], dict[frozenset[Symbol], list[tuple[Example, Phrase]]]] = {}
+    seen: dict[tuple[str, tuple[str, ...], str], dict[frozenset[Symbol], list[tuple[Example, Phrase]]]] = {}
     for example in corpus.examples:
         for phrase, symbols in example.phrases:
-            key = example.world, to_brackets(phrase)
+            key = example.world, example.history, to_brackets(phrase)
             seen.setdefault(key, {}).setdefault(symbols, []).append((example, phrase))
     for answers in seen.values():
         usual = max(answers, key=lambda symbols: len(answers[symbols]))

@@ -68,7 +68,7 @@ class Destinations:
         names = [name for name in names if name != "center"] or ["center"]
         table = tuple(item.id for item in self.layout.world.objects if item.type == "table")[:1]
         sideways = not place.corner and names[0] in ("left", "right") and not place.place
-        if place.place == "path" or (sideways and place.preposition == "to"):
+        if place.place == "path" or (sideways and (place.preposition == "to" or place.measured)):
             if "center" in names:
                 raise NotAnnotatable(f"VP {phrase.text!r}: the destination is not covered")
             return [Region(name, "object", self.layout.names(moved)) for name in names]

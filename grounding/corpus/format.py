@@ -1,7 +1,8 @@
 """Annotated examples and the files they are kept in: `NAME.jsonl`, one example a line, beside `NAME.worlds.json`.
 
 A line holds `id`, `world` (a name in the worlds file), `instruction`, `outcome` and `tree`: the phrase tree in brackets
-with the symbols of every phrase in braces, in the notation of `grounding.symbols`.
+with the symbols of every phrase in braces, in the notation of `grounding.symbols`. It may hold `history`: the ids of
+what was moved before, the latest last.
 """
 
 from __future__ import annotations
@@ -29,6 +30,7 @@ from grounding.world import World, load_worlds, world_to_json
 
 OUTCOMES = ("grounded", "ambiguous", "no_referent")
 _KEYS = ("id", "world", "instruction", "outcome", "tree")
+_OPTIONAL = ("history",)
 
 
 @dataclass(frozen=True)
@@ -42,6 +44,7 @@ class Example:
         tree: its phrases.
         groundings: the symbols that are true of each phrase, in the order of `tree.preorder()`.
         outcome: one of `OUTCOMES`.
+        history: ids of what was moved before, the latest last.
     """
 
     id: str
@@ -50,6 +53,7 @@ class Example:
     tree: Phrase
     groundings: tuple[frozenset[Symbol], ...]
     outcome: str = "grounded"
+    history: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
         if self.outcome not in OUTCOMES:
@@ -131,8 +135,8 @@ def example_from_json(data: Any, worlds: Mapping[str, World]) -> Example:
         if not isinstance(data[key], str) or (not data[key].strip() and key != "world"):
             raise CorpusError(f"{who}{key!r} is a text that is not empty, not {data[key]!r}")
     for key in data:
-        if key not in _KEYS:
-            raise CorpusError(f"{who}unknown key {key!r}; known are {', '.join(_KEYS)}")
+        if key not in _KEYS + _OPTIONAL:
+            raise CorpusError(f"{who}unknown key {key!r}; known are {', '.join(_KEYS + _OPTIONAL)}")
     if data["world"] not in worlds:
         raise CorpusError(f"{who}no world {data['world']!r} among the {len(worlds)} of the worlds file")
     try:
@@ -149,18 +153,31 @@ def example_from_json(data: Any, worlds: Mapping[str, World]) -> Example:
         for unknown in (name for symbol in symbols for name in objects_of(symbol) if name not in known):
             raise CorpusError(f"{who}phrase {phrase.tag} {phrase.text!r}: no object {unknown!r} in its world")
         groundings.append(symbols)
+    history = _history(data.get("history", []), known, who)
     try:
-        return Example(data["id"], data["world"], data["instruction"], tree, tuple(groundings), data["outcome"])
+        return Example(
+            data["id"], data["world"], data["instruction"], tree, tuple(groundings), data["outcome"], history
+        )
     except CorpusError as error:
         raise CorpusError(f"{who}{error}") from None
 
 
-def example_to_json(example: Example) -> dict[str, str]:
+def _history(value: Any, known: Mapping[str, Any], who: str) -> tuple[str, ...]:
+    if not isinstance(value, list) or not all(isinstance(name, str) for name in value):
+        raise CorpusError(f"{who}'history' is a list of ids, not {value!r}")
+    for name in value:
+        if name not in known:
+            raise CorpusError(f"{who}'history': no object {name!r} in its world")
+    return tuple(value)
+
+
+def example_to_json(example: Example) -> dict[str, Any]:
     """An example as the plain values of a line; `example_from_json` reads them back."""
     notes = iter(example.groundings)
     tree = to_brackets(example.tree, lambda _: format_symbols(next(notes)))
-    return {"id": example.id, "world": example.world, "instruction": example.instruction,
-            "outcome": example.outcome, "tree": tree}  # fmt: skip
+    data: dict[str, Any] = {"id": example.id, "world": example.world, "instruction": example.instruction,
+                            "outcome": example.outcome, "tree": tree}  # fmt: skip
+    return {**data, "history": list(example.history)} if example.history else data
 
 
 def read_corpus(path: Path | str, keep_going: bool = False) -> Corpus:

@@ -1,68 +1,43 @@
-"""Generates annotated examples: composes worlds, samples gold trees, keeps what is true of the world.
+"""Generates annotated examples: samples gold trees, suits them to a world, keeps those whose meaning is clear there.
 
-Worlds may come from elsewhere, settled by physics for instance: `recognise` finds the arrangements in them. Which
-wordings are held out is told by a hash of the wording alone, see `is_held_out`.
+Worlds may come from elsewhere, settled by physics for instance: `recognise` finds the arrangements in them. Families of
+sentences and outcomes are kept in balance. Which wordings are held out is told by a hash of the wording alone, see
+`is_held_out`.
 """
 
 from __future__ import annotations
 
+import re
 import zlib
 from collections import Counter
-from collections.abc import Iterable
+from dataclasses import dataclass, field
 from functools import lru_cache
 
 import numpy as np
 
 import models
 from grounding.corpus.annotate import annotate
-from grounding.corpus.composer import compose
+from grounding.corpus.compositions import KINDS, compose_world, dressed, recognise
+from grounding.corpus.fitting import Vocabulary, fit, vocabulary
 from grounding.corpus.format import Example
 from grounding.corpus.meaning import NotAnnotatable
-from grounding.corpus.sparse import colourless, compose_loosely, with_hands
-from grounding.corpus.treebank import LaidWorld, lay, read_trees
+from grounding.corpus.treebank import LaidWorld, read_trees
 from grounding.corpus.variation import vary
+from grounding.corpus.wording import Topics, renumber, sample_tree, sentences_of
 from grounding.language.lexicon import alike
 from grounding.language.tree import Phrase
-from grounding.symbols import Container
-from grounding.world import Viewpoint, World, make_object
+from grounding.symbols import Action, Symbol
 
-KINDS = ("composed", "loose")
+__all__ = ["HELD_OUT_SHARE", "KINDS", "MOST_COPIES", "compose_world", "dressed", "generate", "is_held_out",
+           "recognise", "wording_of", "written"]  # fmt: skip
 MOST_COPIES = 4  # of one wording in a corpus
 HELD_OUT_SHARE = 0.1
-SPEAKER_SHARE = 0.4
-_TRIES = 60  # trees a wanted example
-_OUTCOME_SHARES = {"grounded": 0.8, "ambiguous": 0.1, "no_referent": 0.1}
-
-
-def compose_world(rng: np.random.Generator, name: str, kind: str | None = None, blocks: int | None = None) -> LaidWorld:
-    """Lay a random world without physics.
-
-    Args:
-        rng: the only source of chance.
-        name: in the corpus.
-        kind: one of `KINDS`; drawn if None.
-        blocks: how many, 3 to 30; drawn if None; worlds of kind "loose" have few.
-    """
-    kind = KINDS[int(rng.random() < 0.2)] if kind is None else kind
-    composition = compose_loosely(rng) if kind == "loose" and blocks is None else compose(rng, blocks)
-    return recognise(name, dressed(composition.world, rng), composition.containers)
-
-
-def dressed(world: World, rng: np.random.Generator) -> World:
-    """The world with what does not lie on the table drawn: a speaker across it, the robot's hands, unknown colours."""
-    if rng.random() < SPEAKER_SHARE:
-        table = next((item for item in world.objects if item.type == "table"), make_object("table"))
-        x = float(table.position[0] + table.size[0] / 2 + rng.uniform(0.2, 0.6))
-        place = np.array([round(x, 3), round(float(rng.uniform(-0.1, 0.1)), 3), 0.0])
-        world = World(world.objects, Viewpoint(place, 3.14159))
-    if rng.random() < 0.15:
-        world = with_hands(world)
-    return colourless(world) if rng.random() < 0.05 else world
-
-
-def recognise(name: str, world: World, containers: Iterable[Container] = ()) -> LaidWorld:
-    """Digest a world: the arrangements that were laid, if known, and those that catch the eye."""
-    return lay(name, world, containers)
+OUTCOME_SHARES = {"grounded": 0.8, "ambiguous": 0.1, "no_referent": 0.1}
+FAMILY_SHARES = {"pick": 0.34, "place": 0.28, "statement": 0.16, "description": 0.12, "clear": 0.1}
+_TREEBANK_SHARE = 0.15  # of the trees are variants of the treebank's
+_TRIES = 160  # trees for a wanted example
+_MOST_ALTERNATIVES = 8  # what leaves more open is not said
+_REFERRING = frozenset(("it", "that", "this", "moved", "placed", "put", "picked"))
 
 
 def generate(world: LaidWorld, rng: np.random.Generator, count: int, taken: Counter[str]) -> tuple[Example, ...]:
@@ -77,26 +52,104 @@ def generate(world: LaidWorld, rng: np.random.Generator, count: int, taken: Coun
     Returns:
         examples with ids unique for the world's name.
     """
-    trees = _trees()
-    found: list[Example] = []
-    texts: set[str] = set()
-    for _ in range(_TRIES * count):
-        if len(found) == count:
-            break
-        tree = vary(trees[int(rng.integers(len(trees)))], rng)
-        wording = wording_of(tree)
-        if tree.text in texts or taken[wording] >= MOST_COPIES:
-            continue
+    making = _Making(world, rng, taken, vocabulary(world.layout, world.arrangements), _unsaid(world))
+    for _ in range(count):
+        making.add(count)
+    return tuple(making.found)
+
+
+@dataclass
+class _Making:
+    world: LaidWorld
+    rng: np.random.Generator
+    taken: Counter[str]
+    words: Vocabulary
+    unsaid: frozenset[str]
+    found: list[Example] = field(default_factory=list)
+    _texts: set[str] = field(default_factory=set)
+    _outcomes: Counter[str] = field(default_factory=Counter)
+
+    def add(self, count: int) -> None:
+        """One more example, if one is found."""
+        families = list(FAMILY_SHARES)
+        family = families[int(self.rng.choice(len(families), p=list(FAMILY_SHARES.values())))]
+        topics = Topics(frozenset({family}), self.unsaid)
+        for _ in range(_TRIES):
+            tree = self._tree(topics)
+            wording = wording_of(tree)
+            if self.taken[wording] >= MOST_COPIES or tree.text in self._texts:
+                continue
+            example = self._example(tree)
+            if example is None or self._outcomes[example.outcome] >= self._most(example.outcome, count):
+                continue
+            self._outcomes[example.outcome] += 1
+            self._texts.add(tree.text)
+            self.taken[wording] += 1
+            self.found.append(example)
+            return
+
+    def _tree(self, topics: Topics) -> Phrase:
+        if self.rng.random() < _TREEBANK_SHARE:
+            trees = _trees()
+            tree = vary(trees[int(self.rng.integers(len(trees)))], self.rng)
+        else:
+            tree = sample_tree(self.rng, topics)
+        return renumber(fit(tree, self.words, self.rng))
+
+    def _most(self, outcome: str, count: int) -> float:
+        """How many examples of an outcome a world gets."""
+        return count if outcome == "grounded" else max(1.0, round(OUTCOME_SHARES[outcome] * count))
+
+    def _example(self, tree: Phrase) -> Example | None:
+        layout = self.world.layout
+        history: tuple[str, ...] = ()
         try:
-            groundings, outcome = annotate(tree, world.layout, world.arrangements)
+            groundings, outcome = annotate(tree, layout, self.world.arrangements)
         except NotAnnotatable:
-            continue
-        if rng.random() > _OUTCOME_SHARES[outcome] * 1.25:
-            continue
-        texts.add(tree.text)
-        taken[wording] += 1
-        found.append(Example(f"{world.name}-{len(found)}", world.name, tree.text, tree, groundings, outcome))
-    return tuple(found)
+            if not any(leaf.text in _REFERRING for leaf in tree.leaves):
+                return None
+            history = (layout.ids[int(self.rng.integers(layout.size))],)
+            try:
+                groundings, outcome = annotate(tree, layout, self.world.arrangements, history)
+            except NotAnnotatable:
+                return None
+        if _actions(groundings[0]) > _MOST_ALTERNATIVES:
+            return None
+        name = f"{self.world.name}-{len(self.found)}"
+        text = written(tree, self.rng)
+        return Example(name, self.world.name, text, tree, groundings, outcome, history)
+
+
+def written(tree: Phrase, rng: np.random.Generator) -> str:
+    """The words of a tree as people type them: with capitals, commas and full stops or without.
+
+    Args:
+        tree: of one sentence or several.
+        rng: the only source of chance.
+    """
+    sentences = [re.sub(" (?=['’])", "", part.text) for part in sentences_of(tree)]
+    capital, stop = rng.random() < 0.6, rng.random() < 0.6
+    if capital:
+        sentences = [sentence[:1].upper() + sentence[1:] for sentence in sentences]
+    joint = ". " if stop or capital or rng.random() < 0.7 else ", "
+    return joint.join(sentences) + ("." if stop and tree.tag != "NP" else "")
+
+
+def _actions(symbols: frozenset[Symbol]) -> int:
+    return sum(isinstance(symbol, Action) and bool(symbol.objects) for symbol in symbols)
+
+
+def _unsaid(world: LaidWorld) -> frozenset[str]:
+    """What is not spoken of in a world that has nothing of the kind."""
+    kinds = {kind for kind, _ in world.arrangements}
+    unsaid = set()
+    if "tower" not in kinds:
+        unsaid.add("stacked")
+    if not kinds:
+        unsaid.add("arrangement")
+    if len(world.layout.colors) == 1:
+        unsaid.add("color")
+    return frozenset(unsaid)
 
 
 def wording_of(tree: Phrase) -> str:

@@ -399,9 +399,9 @@ class NounPhrases:
                 relation = {"top": "back", "bottom": "front"}[relation]
             region = Region(str(relation), modifier.reference_kind, modifier.reference)
         elif modifier.sort == "direction" and modifier.place and relation == "center":
-            if modifier.relation is None:
+            if modifier.relation in (None, "center", "between"):
                 raise NotAnnotatable(f"{phrase.text!r}: the middle of what?")
-            return replace(modifier, relation=None, corner=_middle_of(modifier.relation), place="edge",
+            return replace(modifier, relation=None, corner=_middle_of(str(modifier.relation)), place="edge",
                            symbols=modifier.symbols | {SpatialReference("center")})  # fmt: skip
         else:
             raise NotAnnotatable(f"{phrase.text!r}: a place needs something that is determined")
@@ -445,7 +445,7 @@ class NounPhrases:
 
 
 def _middle_of(side: str) -> tuple[str, str]:
-    return (side, "center") if side in ("front", "back", "top", "bottom") else ("center", side)
+    return (side, "center") if side in ("front", "back", "top", "bottom", "near", "far") else ("center", side)
 
 
 def _means_member(modifier: Meaning) -> bool:

@@ -12,7 +12,7 @@ from weakref import WeakKeyDictionary
 
 import numpy as np
 
-from grounding.geometry.layout import UPRIGHT, Layout
+from grounding.geometry.layout import Layout
 from grounding.geometry.masks import indices_of, mask_of
 from grounding.world import Array
 
@@ -21,7 +21,8 @@ NO_CONTACT = 0.5  # and do not when they are so many apart; in between it is not
 ALONE = 1.35  # a block is alone when all others are so many edges away
 BESIDE = 1.0  # and is not when one is at most so many away
 SLANTED = 0.45  # a line that deviates from both axes by more is a diagonal [rad]
-_STEPS = {"left": (0.0, 1.0), "right": (0.0, -1.0), "back": (1.0, 0.0), "front": (-1.0, 0.0), "center": (0.0, 0.0)}
+_STEPS = {"left": (0.0, 1.0), "right": (0.0, -1.0), "back": (1.0, 0.0), "front": (-1.0, 0.0), "center": (0.0, 0.0),
+          "top": (1.0, 0.0), "bottom": (-1.0, 0.0), "far": (1.0, 0.0), "near": (-1.0, 0.0)}  # fmt: skip
 
 
 class Sight:
@@ -55,7 +56,7 @@ class Sight:
                 if away > 3 * edge:
                     gap = away / edge - 1.2
                 else:
-                    gap = _separation(self._corners[i], self._corners[j], self._axes[i], self._axes[j]) / edge
+                    gap = separation(self._corners[i], self._corners[j], self._axes[i], self._axes[j]) / edge
                 rise = abs(float(centres[i, 2] - centres[j, 2])) / edge - 1.0
                 gaps[i, j] = gaps[j, i] = max(gap, rise) if rise > -0.5 else gap
         return gaps
@@ -103,7 +104,7 @@ class Sight:
         """The point that directions name on the table, or on what lies within bounds, shape (2,) in [m]."""
         centre = self._centre if low is None or high is None else (low + high) / 2
         half = self._half if low is None or high is None else np.asarray(high - low) / 2
-        step = np.sum([_STEPS[UPRIGHT.get(name, name)] for name in names], axis=0)
+        step = np.sum([_STEPS[name] for name in names], axis=0)
         return np.asarray(centre + step * half)
 
     def half(self, direction: str) -> tuple[int, int]:
@@ -117,7 +118,7 @@ class Sight:
         return self._layout_by_members.get((kind, mask), 0.0) > SLANTED
 
 
-def _separation(a: Array, b: Array, axes_a: Array, axes_b: Array) -> float:
+def separation(a: Array, b: Array, axes_a: Array, axes_b: Array) -> float:
     """The gap between two oriented rectangles along the axis that separates them best; 0 where they overlap."""
     best = 0.0
     for axis in (*axes_a, *axes_b):

@@ -13,9 +13,11 @@ from grounding.corpus.annotate import annotate
 from grounding.corpus.composer import compose
 from grounding.corpus.format import Corpus, Example
 from grounding.corpus.meaning import NotAnnotatable
+from grounding.corpus.sight import SLANTED
 from grounding.corpus.sparse import colourless, compose_loosely, with_hands
 from grounding.corpus.variation import vary
 from grounding.errors import CorpusError, TreeError
+from grounding.geometry.arrangements import Arrangement
 from grounding.geometry.layout import Layout
 from grounding.language.tree import Phrase, from_brackets
 from grounding.symbols import Container
@@ -62,13 +64,24 @@ def read_trees(folder: Path) -> tuple[Phrase, ...]:
 
 
 def lay(name: str, world: World, containers: Iterable[Container] = ()) -> LaidWorld:
-    """Digest a world; arrangements that chance made and that catch the eye count like those that were laid."""
+    """Digest a world; arrangements that chance made and that catch the eye count like those that were laid.
+
+    A line that leans like neither a row nor a column counts too: a diagonal.
+    """
     layout = Layout(world)
     known = [(c.kind, layout.mask(c.objects)) for c in containers]
     for found in layout.evident_of((), layout.everything):
         if not any(found.mask & mask and (found.kind == kind or found.kind == "group") for kind, mask in known):
             known.append((found.kind, found.mask))
+    known += [(a.kind, a.mask) for a in layout.prominent(filter(_is_diagonal, layout.arrangements))
+              if not any((a.mask & mask).bit_count() > 1 for _, mask in known)]  # fmt: skip
     return LaidWorld(name, layout, tuple(known))
+
+
+def _is_diagonal(line: Arrangement) -> bool:
+    """Whether a line is evident and slanted."""
+    fits = line.deviation < 0.12 and line.regularity > 0.75 and line.separation > 0.9
+    return line.kind in ("row", "column") and line.angle > SLANTED and line.count >= 3 and fits
 
 
 def shipped_worlds(folder: Path) -> Iterator[LaidWorld]:
