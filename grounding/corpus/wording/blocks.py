@@ -69,6 +69,7 @@ pair.middle 0.6 : left|right|top|bottom|upper|lower middle|center
 compass 2 @compass : north|south|east|west|northeast|northwest|southeast|southwest
 compass.adjective 1 @compass : northern|southern|eastern|western|northeastern|northwestern|southeastern|southwestern
 bare.most 0.4 @loose : very top|bottom
+most 0.3 @loose : most/RBS left|right|northern/JJ
 
 [high]
 word 1 : top|bottom|upper|lower
@@ -93,6 +94,7 @@ same 0.4 @history : same
 only 4 : only
 others 6 : lone|single|solitary|isolated|loose
 standing 0.5 : separate|standalone
+free 0.7 : free-standing|freestanding|solo|stray
 
 [base]
 bare 7 : <det> <noun>
@@ -109,6 +111,7 @@ own 0.3 @history : its <place.word> block
 words 10 : two|three|four|five
 digits 3 : 2|3|4|5
 high 1 : six|seven|eight
+hyphen.none 0.1 : nine|ten
 
 [block]
 base 10 : (NP <base>)
@@ -117,7 +120,7 @@ where.twice 3 : (NP (NP (NP <base>) <where>) <where>)
 that 6 : (NP (NP <base>) <that>)
 where.that 2 : (NP (NP (NP <base>) <where>) <that>)
 that.where 0.8 : (NP (NP (NP <base>) <that>) <where>)
-that.that 0.6 : (NP (NP (NP <base>) <that>) (CC and) <that>)
+that.that 0.6 : (NP (NP (NP <base>) <that>) and <that>)
 near.person 2.5 @viewer : (NP (NP <det> <near> <color>?.7 <noun>) (PP to <person>))
 near.reference 1 @deep : (NP (NP the <near> <color>?.7 <noun>) (PP to <reference>))
 far.person 2 @viewer : (NP (NP the <farthest> <color>?.7 <noun>) (PP from <person>))
@@ -198,7 +201,7 @@ isolated 0.6 : isolated|loose|adjacent|lone
 base 8 : (NP <bases>)
 where 8 : (NP (NP <bases>) <where>)
 that 2 : (NP (NP <bases>) <that.are>)
-two 2.5 @deep : (NP <block.brief> (CC and) <block.brief>)
+two 0.7 @deep : (NP <block.brief> and <block.brief>)
 near.person 0.7 @viewer : (NP (NP the <number> closest|nearest <color>?.5 <nouns>) (PP to <person>))
 everything 0.4 : (NP (NP everything) <where>)
 all.of 0.6 @deep : (NP (NP all/DT) (PP of <blocks>))

@@ -29,12 +29,16 @@ measure.away 0.7 @distance : (PP <measure> away/RB from <target.np>)
 side.measure 1 @distance : (PP to (NP the left|right/NN) <measure>)
 slightly 1 : (PP slightly|straight|directly|diagonally/RB <direction>)
 joined 3.5 @distance @deep : (PP <path> and|then <path>)
-joined.and.then 0.6 @distance @deep : (PP <path> (CC and) then/RB <path>)
+joined.and.then 0.6 @distance @deep : (PP <path> and then/RB <path>)
 down.and.to 1.5 : (PP up|down|forward|back/RB and to (NP the left|right/NN))
 over.to 0.6 : (PP over to (NP the left|right/NN))
 straight 0.6 @distance : (PP straight/RB <direction> <measure>)
 over.measure 0.5 @distance : (PP over <measure> to (NP the left|right/NN))
 rows 0.3 @distance : (PP up|down (NP a row|column))
+by 0.6 @distance : (PP <direction> (PP by <measure>))
+times 0.4 : (PP <direction> once|twice/RB)
+slightly.side 0.5 : (PP slightly/RB to (NP the left|right/NN))
+towards.corner 0.3 : (PP diagonally/RB <direction> (PP toward|towards|to <target.np>))
 
 [target.np]
 person 2 @viewer : <person>
@@ -44,21 +48,24 @@ corner 1 : <corner.np>
 middle 2 : <middle.np>
 
 [destination]
+pp 40 : <destination.pp>
+back.home 0.5 @history : (SBAR (WHADVP where) (S (NP it) (VP was)))
+where.ref 0.3 : (SBAR (WHADVP where) (S <reference> (VP is|was)))
+until 0.2 : <until>
+
+[destination.pp]
 onto 8 @stacked : <onto>
 relation 18 : <relation>
 path 14 : <path>
 place 6 : <dest.place>
 dest.measured 4 @distance : <dest.measured>
 in.set 1.5 @arrangement : (PP in|into|to|at <set.spot>)
-two.relations 0.8 : (PP <relation> (CC and) <relation>)
-place.relation 0.6 : (PP <dest.place> (CC and) <relation>)
-back.home 0.5 @history : (SBAR (WHADVP where) (S (NP it) (VP was)))
+two.relations 0.8 : (PP <relation> and <relation>)
+place.relation 0.6 : (PP <dest.place> and <relation>)
 to.where 0.3 @history : (PP to (SBAR (WHADVP where) (S (NP it) (VP was (PP before/RB)))))
-where.ref 0.3 : (SBAR (WHADVP where) (S <reference> (VP is|was)))
 away.from 0.6 : (PP away/RB from <target.np>)
 toward 0.7 : (PP toward|towards <target.np>)
 with 0.4 : (PP with <references>)
-until 0.2 : <until>
 
 [set.spot]
 end 4 @arrangement : (NP (NP the <edge.word>?.6 end) (PP of <set>))
@@ -83,11 +90,11 @@ along 0.3 : (PP along <edge.np>)
 [dest.measured]
 off.edge 2 @distance : (PP <measure> from|off <edge.np>)
 up.from 2 @distance : (PP <measure> <direction> from <reference>)
-above.and 2 @distance : (PP (PP <measure> above|below|behind <reference>) (CC and) (PP <measure> to \
+above.and 2 @distance : (PP (PP <measure> above|below|behind <reference>) and (PP <measure> to \
     (NP the left|right/NN)))
-up.and.left.of 2 @distance : (PP (PP <measure> up|down|above|below) (CC and) (PP <measure> to (NP \
+up.and.left.of 2 @distance : (PP (PP <measure> up|down|above|below) and (PP <measure> to (NP \
     (NP the left|right/NN) (PP of <reference>))))
-above.and.bare 1 @distance : (PP (PP <measure> above|below) (CC and) (PP <measure> left|right/JJ of <reference>))
+above.and.bare 1 @distance : (PP (PP <measure> above|below) and (PP <measure> left|right/JJ of <reference>))
 to.measured 1 @distance : (PP to <measured.relation>)
 
 [measured.relation]
@@ -107,6 +114,9 @@ to.form 2 @arrangement : (S (VP to/TO (VP make|form|create/VB <set.new>)))
 touches 1 : (SBAR so (S (NP it) (VP touches <reference>)))
 forming 0.8 @arrangement : (S (VP forming|making|creating/VBG <set.new>))
 leaving 0.4 @distance : (S (VP leaving/VBG <measure> (PP between <references>)))
+sharing 0.5 : (S (VP sharing/VBG (NP its|the <edge.word> edge|side) (PP with <reference>)))
+touching 0.5 : (S (VP touching <reference>))
+align 0.4 : (S (VP to/TO (VP align|touch|join/VB <reference>)))
 
 [result.state]
 relation 10 : <relation>
@@ -116,7 +126,7 @@ aligned 2 : (PP aligned|level|flush|parallel with <reference>)
 in.line 2 : (PP in (NP line/NN) with <reference>)
 touching 2 : (PP touching <reference>)
 closest 0.5 : <closest.pp>
-joined 0.7 : (PP <relation> (CC and) <relation>)
+joined 0.7 : (PP <relation> and <relation>)
 
 [until]
 reaches 3 : (SBAR until (S (NP it) (VP reaches/VBZ <target.np>)))

@@ -5,6 +5,7 @@ TEXT = """
 table 10 : (NP the table)
 board 2 : (NP the board|grid|screen)
 surface 0.7 : (NP the surface|desk|tabletop|area)
+picture 0.5 : (NP the page|map|picture|field|plane|floor)
 
 [side.word]
 side 8 : left|right/NN
@@ -26,6 +27,8 @@ your.hand.side 1.2 @viewer : (NP your right-hand|left-hand side)
 my.side 0.7 @viewer : (NP my left|right side)
 own.side 0.7 @viewer : (NP my|your side)
 my.end 0.3 @viewer : (NP (NP my|your end) (PP of <table>))
+hand 0.7 @viewer : (NP your left|right/JJ hand)
+hand.the 0.2 @viewer : (NP the left|right/JJ hand)
 
 [corner.np]
 the 10 : (NP the <corner.word> corner)

@@ -27,15 +27,15 @@ blocks 1.5 @deep : <blocks>
 [references]
 counted 5 : (NP the|those <number> <color>?.6 <nouns>)
 number 2 : (NP <number> <color>?.6 <nouns>)
-two 7 @deep : (NP <reference> (CC and) <reference>)
-two.briefly 3 : (NP (NP <base>) (CC and) (NP <base>))
+two 7 @deep : (NP <reference> and <reference>)
+two.briefly 3 : (NP (NP <base>) and (NP <base>))
 colors 1.5 @color : (NP the|a <color> and <color> <nouns>)
 both 0.6 : (NP both <color>?.4 <nouns>)
-two.numbers 0.7 @color : (NP (NP <number> <color> <nouns>) (CC and) (NP one|two/CD <color> <nouns>))
+two.numbers 0.7 @color : (NP (NP <number> <color> <nouns>) and (NP one|two/CD <color> <nouns>))
 others 0.6 : (NP the|two other <number>?.3 <color>?.6 <nouns>)
 sets 1 @arrangement : (NP the <number>?.6 rows|columns|towers|stacks|groups|clusters)
 same.kind 0.5 : (NP <bases>)
-persons 0.3 @viewer : (NP (NP you|me) (CC and) <reference>)
+persons 0.3 @viewer : (NP (NP you|me) and <reference>)
 
 [of.direction]
 left 8 : (PP to (NP (NP the left|right/NN) (PP of <reference>)))
@@ -61,6 +61,7 @@ just 3 : just/RB
 slightly 1 : slightly|almost/RB
 diagonally 0.7 : diagonally/RB
 just.slightly 0.2 : just slightly
+exactly 0.4 : exactly|nearly/RB
 
 [relation]
 of.direction 8 : <of.direction>
@@ -76,18 +77,18 @@ right.next.to 0.5 : (PP right|directly/RB next/JJ to <reference>)
 beside 3 : (PP beside|by|near|against|alongside <reference>)
 close.to 1.5 : (PP close|adjacent|parallel|opposite/JJ to <reference>)
 touching 4 : (PP touching <reference>)
-touching.both 1.2 : (PP touching <references>)
-touching.both.and 0.4 @deep : (PP touching (NP both/DT <reference> (CC and) <reference>))
+touching.both 2.2 : (PP touching <references>)
+touching.both.and 0.4 @deep : (PP touching (NP both/DT <reference> and <reference>))
 facing 0.3 : (PP facing <reference>)
 on.top 2.5 @stacked : (PP on (NP (NP top/NN) (PP of <reference>)))
 on 1 @stacked : (PP on|atop|upon <reference>)
 between 5 : (PP between <references>)
 in.between 2.5 : (PP in between <references>)
 middle.of 1 : (PP in (NP (NP the middle|center/NN) (PP of <references>)))
-surrounded 2 : (PP surrounded by <references>)
+surrounded 3 : (PP surrounded by <references>)
 surrounded.sides 0.4 : (PP surrounded (PP on (NP two|three/CD sides)) by <references>)
-joined 0.8 : (PP (PP above|below|behind) (CC and) (PP to (NP (NP the left|right/NN) (PP of <reference>))))
-joined.front 0.4 : (PP (PP in (NP front/NN)) (CC and) (PP to (NP (NP the left|right/NN) (PP of <reference>))))
+joined 0.8 : (PP (PP above|below|behind) and (PP to (NP (NP the left|right/NN) (PP of <reference>))))
+joined.front 0.4 : (PP (PP in (NP front/NN)) and (PP to (NP (NP the left|right/NN) (PP of <reference>))))
 in.line 0.8 : (PP in (NP line/NN) with <reference>)
 aligned 0.3 : (PP aligned|level|flush with <reference>)
 away.from 0.4 : (PP away|separated|isolated/VBN from <references>)
@@ -101,6 +102,13 @@ measured.away 0.6 @distance : (PP <measure> away/RB from <reference>)
 to.its.left 0.4 @history : (PP to (NP its|their left|right/NN))
 diagonal.to 0.5 : (PP diagonal to <reference>)
 located 1 @deep : (PP located|situated|positioned|standing|sitting <relation>)
+kitty.corner 0.3 @loose : (PP kitty|caddy/NN corner/NN to|from <reference>)
+halfway 0.7 : (PP halfway|midway/RB between <references>)
+same.row 0.7 @arrangement : (PP in (NP the same row|column|line) as <reference>)
+across 0.3 : (PP across from <reference>)
+around 0.2 : (PP around|among <references>)
+corner.touching 0.3 : (PP touching (NP (NP the corner|edge|side) (PP of <reference>)))
+of.edge 0.6 : (PP at|against (NP (NP the <edge.word> side|edge) (PP of <reference>)))
 
 [measure]
 number 8 @distance : (NP <number> <units>)
@@ -116,6 +124,10 @@ couple.of 0.3 @distance : (NP (NP a couple/NN) (PP of (NP <units>)))
 bare 1 @distance : (NP <number>)
 bit 0.7 @distance : (NP a bit/NN)
 little 0.4 @distance : (NP a little/JJ bit/NN)
+more 0.5 @distance : (NP one|two more/JJR <units>?.5)
+another 0.3 @distance : (NP another <unit>)
+quarter 0.2 @distance : (NP a quarter/NN <unit>)
+very.little 0.2 @distance : (NP an inch/NN)
 
 [unit]
 space 8 @distance : space
@@ -166,9 +178,9 @@ closest 12 : <closest.pp>
 nth 4 : <nth.pp>
 view 1.2 @viewer : <view.pp>
 in.set 3 @arrangement @deep : <in.set>
-two.places 1 : (PP <location> (CC and) <location>)
-place.and.closest 0.5 : (PP <location> (CC and) <closest.pp>)
-relation.and.place 0.4 @deep : (PP <relation> (CC and) <location>)
+two.places 1 : (PP <location> and <location>)
+place.and.closest 0.5 : (PP <location> and <closest.pp>)
+relation.and.place 0.4 @deep : (PP <relation> and <location>)
 
 [relation.brief]
 next.to 3 : (PP next/JJ to (NP <base>))

@@ -20,7 +20,7 @@ from grounding.corpus.wording import (
     statements,
 )
 from grounding.corpus.wording.notation import Branch, Leaf, Part, Production, Slot, read_productions
-from grounding.corpus.wording.style import speak
+from grounding.corpus.wording.style import mend_articles, settle_adverbs, speak
 from grounding.errors import CorpusError
 from grounding.language.tree import Phrase, Word
 
@@ -109,10 +109,11 @@ def sample(rng: np.random.Generator, topics: Topics = EVERYTHING) -> Sample:
     parts = drawing.expand(family, 0)
     tree = parts[0] if len(parts) == 1 else Phrase("FRAG", tuple(parts))
     assert isinstance(tree, Phrase)
+    tree = settle_adverbs(tree)
     if "loose" not in topics.without:
         tree, manners = speak(tree, rng)
         drawing.used.extend(manners)
-    return Sample(renumber(tree), family, tuple(drawing.used))
+    return Sample(mend_articles(renumber(tree)), family, tuple(drawing.used))
 
 
 def sentences_of(tree: Phrase) -> tuple[Phrase, ...]:

@@ -23,7 +23,7 @@ modal 2.5 : (S <modal> (NP you) <pick.vp>)
 wish 3 @viewer : <wish.pick>
 adverb 2 : (VP <adverb> <pick.vp>)
 last.please 1 : (VP <pick.vp> please)
-look.and 1 : (VP (VP look (PP at <looked.at>)) (CC and) <pick.vp>)
+look.and 1 : (VP (VP look (PP at <looked.at>)) and <pick.vp>)
 locate.and 0.7 : (VP locate|find/VB and pick (PRT up/RP) <block>)
 there.is.take 4 @several : <there.is> <pick.follow>
 look.take 1.5 @several : <look.vp> <pick.follow>
@@ -31,6 +31,9 @@ take.it.is 1.2 @several @history : <pick.vp> <target.is>
 block.is.take 1 @several @history : <target.is> (VP pick <pronoun> (PRT up/RP))
 find.pick 1 @several @history : (VP find|locate|identify <block>) (VP pick <pronoun> (PRT up/RP))
 twice 0.7 @several : <pick.vp> <block.restated>
+hand.first 0.4 @several @viewer : (VP raise|lift|use/VB (NP your left|right/JJ hand|arm)) <pick.vp>
+reach 0.4 : (VP (VP reach/VB <reaching>) and <pick.vp>)
+separate.it 0.3 @several @history : <look.vp> (S (NP it) (VP <is> <where>))
 
 [look.vp]
 at 3 @several : (VP look (PP at <looked.at>))
@@ -82,7 +85,7 @@ down 0.4 @several @history : (VP set|put <pronoun> (PRT down/RP) <destination>)
 
 [take.follow]
 move 5 @several : (VP move|put|place|slide <block.choice> <destination>)
-take.and 4 @several @history : (VP (VP <taking> <block.choice>) (CC and) (VP <put.verb> <pronoun> <destination>))
+take.and 4 @several @history : (VP (VP <taking> <block.choice>) and (VP <put.verb> <pronoun> <destination>))
 
 [clear]
 plain 8 : <clear.vp>
@@ -94,7 +97,7 @@ last.please 0.6 : (VP <clear.vp> please)
 [statement]
 plain 14 : <statement.core>
 there.is.goes 2 @several @history : <there.is> (S <choice.np.any> (VP <moves> <destination>))
-and.then 1 @history : (S <statement.core> (CC and) (VP then/RB <moves> <path>))
+and.then 1 @history : (S <statement.core> and (VP then/RB <moves> <path>))
 twice 1 @several @history : <statement.core> (S <pronoun> (VP <adverb.then>?.2 <moves> <destination>))
 target 4 : <target.is>
 
@@ -109,4 +112,9 @@ set 1 @arrangement : <set>
 one.and.then 0.6 @several : <block.brief> <block.restated>
 there.is 1.5 : <there.is>
 please 0.4 : (NP <block.brief> please)
+
+[reaching]
+over 2 : (PP over|across|past|to <blocks>)
+table 1 : (PP across|over <table>)
+person 1 @viewer : (PP out (PP in (NP (NP front/NN) (PP of (NP you)))))
 """

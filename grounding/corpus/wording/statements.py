@@ -20,7 +20,7 @@ nth.rank 1 : (NP the <ordinal> <edgemost> <noun>)
 [statement.core]
 moves.path 12 : (S <mover> (VP <moves> <path>))
 moves.destination 10 : (S <mover> (VP <moves> <destination>))
-moves.twice 2 @distance : (S <mover> (VP <moves> <path> then|and <path>))
+moves.twice 2 @distance : (S <mover> (VP <moves> (PP <path> then|and <path>)))
 moves.until 1.5 : (S <mover> (VP <moves> <path> <until>))
 moves.result 1 : (S <mover> (VP <moves> <destination> <result>))
 goes.onto 3 @stacked : (S <mover> (VP goes|moves|jumps|sits/VBZ <onto>))

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
+from itertools import pairwise
 
 import numpy as np
 
@@ -10,6 +12,8 @@ from grounding.language.tree import Phrase, Word
 
 _DROPPED = 0.05
 _HESITATION = 0.03
+_VOWEL = re.compile("[aeio](?!ne)|up")
+_ADVERBS = ("UH", "RB")
 _FILLERS = ("um", "uh", "er")
 
 
@@ -29,6 +33,29 @@ def speak(tree: Phrase, rng: np.random.Generator) -> tuple[Phrase, tuple[str, ..
     return tree, tuple(manners)
 
 
+def settle_adverbs(phrase: Phrase) -> Phrase:
+    """Make "please", "then" and the like words of the verb phrase that they stand next to, not phrases around it."""
+    children = tuple(settle_adverbs(child) if isinstance(child, Phrase) else child for child in phrase.children)
+    words = [child for child in children if isinstance(child, Word)]
+    if phrase.tag == "VP" and words and len(words) == len(children) - 1 and all(w.tag in _ADVERBS for w in words):
+        place = next(index for index, child in enumerate(children) if isinstance(child, Phrase))
+        inner = children[place]
+        assert isinstance(inner, Phrase)
+        if inner.tag == "VP":
+            return _embrace(children[:place], inner, children[place + 1 :])
+    return Phrase(phrase.tag, children)
+
+
+def _embrace(before: tuple[Word | Phrase, ...], inner: Phrase, after: tuple[Word | Phrase, ...]) -> Phrase:
+    """A verb phrase with words before and after it; where it joins several, in the first and in the last of them."""
+    if inner.words and inner.words[0].tag != "CC":
+        return Phrase("VP", (*before, *inner.children, *after))
+    first, *middle, last = inner.children
+    assert isinstance(first, Phrase)
+    assert isinstance(last, Phrase)
+    return Phrase("VP", (_embrace(before, first, ()), *middle, _embrace((), last, after)))
+
+
 def _map(phrase: Phrase, change: Callable[[Phrase], Phrase]) -> Phrase:
     """Change every phrase, those above before those below."""
     changed = change(phrase)
@@ -42,7 +69,25 @@ def _without_articles(phrase: Phrase, rng: np.random.Generator) -> Phrase:
         for child in phrase.children
         if not (isinstance(child, Word) and child.text in ("the", "a", "an") and rng.random() < 0.85)
     )
-    return Phrase(phrase.tag, kept) if phrase.tag == "NP" and kept else phrase
+    named = any(isinstance(child, Word) and child.tag in ("NN", "NNS") for child in kept)
+    return Phrase(phrase.tag, kept) if phrase.tag == "NP" and named else phrase
+
+
+def mend_articles(phrase: Phrase) -> Phrase:
+    """Say "an" before vowels, in a tree whose words are numbered."""
+    following = dict(pairwise(phrase.leaves))
+    return _map(
+        phrase,
+        lambda part: Phrase(
+            part.tag,
+            tuple(
+                Word("an", child.tag, child.index)
+                if isinstance(child, Word) and child.text == "a" and _VOWEL.match(following[child].text)
+                else child
+                for child in part.children
+            ),
+        ),
+    )
 
 
 def _after_first_word(phrase: Phrase, filler: Word) -> Phrase:

@@ -10,9 +10,10 @@ _WORDS = {
     "PDT": "half",
     "IN": "of in on at from to by with near under underneath beneath below above behind beside between over off into "
     "onto along toward towards against inside around across atop beyond past until than so up down upon within if "
-    "because alongside amid as among outside",
+    "because alongside amid as among out outside",
     "CD": "one two three four five six seven eight nine ten 1 2 3 4 5 6 7 8 1.5 2.5",
-    "JJ": "red blue green yellow orange purple white black gray brown pink left right top bottom upper lower front "
+    "JJ": "free-standing freestanding solo stray "
+    "red blue green yellow orange purple white black gray brown pink left right top bottom upper lower front "
     "back middle center central leftmost rightmost topmost bottommost uppermost lowermost frontmost backmost first "
     "second third fourth fifth sixth seventh eighth ninth last 1st 2nd 3rd 4th 5th next other same only lone single "
     "solitary isolated loose adjacent close north south east west northeast northwest southeast southwest northern "
@@ -32,7 +33,7 @@ _WORDS = {
     "column line group cluster pair circle ring tower stack pile structure set bunch formation "
     "perspective view viewpoint point space width length square spot position target robot baxter everything story "
     "section part area portion region way trio string arrangement clump grouping distance "
-    "tabletop desk shape place order tile unit rest",
+    "tabletop desk page map picture field plane floor hand arm shape place order tile unit rest",
     "NNS": "blocks cubes boxes bricks ones pieces objects rows columns lines groups clusters pairs circles rings "
     "towers stacks piles spaces widths lengths squares sides corners edges spots units tiles stories things",
     "PRP": "it you me i them he they itself yourself myself we themselves",
