@@ -82,14 +82,17 @@ def make_videos(
 
 
 def _slots(items: Sequence[dict[str, Any]], count: int) -> list[tuple[str, list[dict[str, str]]]]:
-    """For each video the action that it shows, and lines of examples to try, one a world."""
-    slots: list[tuple[str, list[dict[str, str]]]] = [(ACTIONS[place % len(ACTIONS)], []) for place in range(count)]
-    for action in ACTIONS:
-        own = [lines for name, lines in slots if name == action]
+    """For each video the action that it shows, and lines of examples to try, one a world: first of its own worlds."""
+    actions = [ACTIONS[slot % len(ACTIONS)] for slot in range(count)]
+    numbers = {name: k for k, name in enumerate(dict.fromkeys(item["example"]["world"] for item in items))}
+    slots = []
+    for slot, action in enumerate(actions):
+        same = [k for k in range(count) if actions[k] == action]
         fitting = [item["example"] for item in items
                    if item["action"] == action and item["example"]["outcome"] == "grounded"]  # fmt: skip
-        for place, line in enumerate(_one_a_world(fitting)[: _CANDIDATES * len(own)]):
-            own[place % len(own)].append(line)
+        own = [line for line in _one_a_world(fitting) if numbers[line["world"]] % count == slot]
+        rest = [line for line in _one_a_world(fitting) if numbers[line["world"]] % count not in same]
+        slots.append((action, [*own, *rest[same.index(slot) :: len(same)]][:_CANDIDATES]))
     return slots
 
 
