@@ -1,4 +1,4 @@
-"""`python -m grounding corpus`: show, check and convert corpora, and list their worlds."""
+"""`python -m grounding corpus`: show, check, convert and generate corpora, and list their worlds."""
 
 from __future__ import annotations
 
@@ -15,11 +15,14 @@ import models
 from grounding.commands import SUMMARIES
 from grounding.corpus.check import check_corpus
 from grounding.corpus.format import Corpus, worlds_path, write_corpus
+from grounding.corpus.generator import is_held_out, wording_of
 from grounding.corpus.loading import load_corpus
+from grounding.corpus.making import EACH, make_corpus
 from grounding.corpus.pretty import Paint, pretty
 from grounding.corpus.rss_world import shifted
 from grounding.corpus.treebank import build_treebank
 from grounding.errors import CorpusError, CorpusErrors
+from grounding.experiments.progress import Progress
 from grounding.world import save_world
 
 FOUND = 1  # exit code of a check that found something
@@ -27,7 +30,7 @@ _PATH = "a .jsonl file or a folder of example_*.xml (default: the treebank that 
 
 
 def add_arguments(subparsers: Any) -> None:
-    """Add the parser of `corpus` and those of its four verbs."""
+    """Add the parser of `corpus` and those of its verbs."""
     corpus = subparsers.add_parser("corpus", help=SUMMARIES["corpus"], description=SUMMARIES["corpus"])
     verbs = corpus.add_subparsers(dest="verb", metavar="VERB", required=True)
 
@@ -59,12 +62,19 @@ def add_arguments(subparsers: Any) -> None:
     annotate.add_argument("--seed", type=int, default=1, help="of the worlds and of where each tree is tried")
     annotate.add_argument("--output", type=Path, default=models.TREEBANK / "treebank.jsonl", metavar="FILE.jsonl")
 
+    generate = verbs.add_parser("generate", help="write annotated sentences in composed worlds, without physics")
+    generate.add_argument("--count", type=_count, required=True, metavar="N", help="so many examples")
+    generate.add_argument("--seed", type=int, default=0, help="the same one gives the same corpus")
+    generate.add_argument("--each", type=_count, default=EACH, metavar="N", help="at most so many examples a world")
+    generate.add_argument("--output", type=Path, required=True, metavar="FILE.jsonl",
+                          help="worlds go beside it; an interrupted run goes on where it ended")  # fmt: skip
+
 
 def run(args: argparse.Namespace) -> int:
     """Run the verb that was asked for."""
     verbs: dict[str, Callable[[argparse.Namespace], int]] = {
         "show": _show, "check": _check, "worlds": _worlds, "convert": _convert,
-        "annotate": _annotate,
+        "annotate": _annotate, "generate": _generate,
     }  # fmt: skip
     return verbs[args.verb](args)
 
@@ -75,6 +85,28 @@ def _annotate(args: argparse.Namespace) -> int:
     outcomes = Counter(example.outcome for example in corpus.examples)
     summary = {"sentences": len({e.instruction for e in corpus.examples}), "examples": len(corpus),
                "outcomes": dict(sorted(outcomes.items())), "worlds": len(corpus.worlds)}  # fmt: skip
+    print(json.dumps(summary))
+    return 0
+
+
+def _generate(args: argparse.Namespace) -> int:
+    if args.output.suffix != ".jsonl" or args.seed < 0:
+        raise CorpusError(f"{args.output}, seed {args.seed}: a corpus is written to a .jsonl file, from a seed from 0")
+    progress = Progress(args.count, "examples")
+
+    def tell(number: int) -> None:
+        for _ in range(number):
+            progress.step()
+
+    kept = args.output.with_suffix(".part")
+    args.output.parent.mkdir(parents=True, exist_ok=True)
+    corpus = make_corpus(args.count, args.seed, args.each, kept, tell)
+    write_corpus(corpus, args.output)
+    kept.unlink(missing_ok=True)
+    outcomes = Counter(example.outcome for example in corpus.examples)
+    summary = {"examples": len(corpus), "worlds": len(corpus.worlds), "outcomes": dict(sorted(outcomes.items())),
+               "wordings": len({wording_of(example.tree) for example in corpus}),
+               "held out": sum(is_held_out(example.tree) for example in corpus)}  # fmt: skip
     print(json.dumps(summary))
     return 0
 
