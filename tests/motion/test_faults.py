@@ -65,7 +65,7 @@ def _plan(scene):
     return plan_pick(scene, "b")
 
 
-@given(phase=st.sampled_from([1, 2, 4]), share=st.floats(0.01, 0.99))
+@given(phase=st.sampled_from([1, 2, 3, 4]), share=st.floats(0.01, 0.99))
 @settings(max_examples=40, deadline=None)
 def test_a_stop_stays_on_the_path_and_within_all_limits(one_block, phase, share):
     plan = _plan(one_block)
@@ -82,10 +82,15 @@ def test_a_stop_stays_on_the_path_and_within_all_limits(one_block, phase, share)
     assert gaps.max() < 0.005
 
 
-def test_halfway_through_a_long_way_a_stop_takes_much_less_than_the_rest(one_block):
+def test_a_stop_soon_after_the_start_takes_much_less_than_the_rest(one_block):
     trajectory = _plan(one_block).phases[1].trajectory
-    stop = braked(trajectory, len(trajectory.positions) // 2, recipe().limits)
-    assert stop.duration < 0.8 * trajectory.duration / 2
+    stop = braked(trajectory, len(trajectory.positions) // 5, recipe().limits)
+    assert stop.duration < 0.4 * trajectory.duration
+
+
+def test_an_arm_that_stands_has_stopped(one_block):
+    closing = _plan(one_block).phases[3].trajectory
+    assert braked(closing, 20, recipe().limits).duration == 0
 
 
 def test_a_phase_is_left_for_a_reason(one_block):
