@@ -1,0 +1,1 @@
+"""Graded readings: every phrase is worth a degree for every object."""
