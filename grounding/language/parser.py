@@ -14,14 +14,23 @@ from grounding.language.cky import FRAGMENT, Beam, Cover, Lexeme, parse_forest
 from grounding.language.events import label_of
 from grounding.language.forest import Node
 from grounding.language.grammar import Grammar
+from grounding.language.lexicon import known_words, meanings
+from grounding.language.rewriting import rewrite
 from grounding.language.rules import Rules
-from grounding.language.tokens import Token, tokenize
+from grounding.language.spelling import Speller
+from grounding.language.tokens import Token, normal, tokenize
 from grounding.language.tree import Phrase, Word
 
 _TAG_BEAM = 4.0
 """Tags less likely for a word than its best by more than this, as log probability, are not tried."""
 _DERIVATIONS = 6
 """Look at up to so many derivations for every tree wanted: some differ in the words' tags only."""
+
+_MOST_KEPT = 4096
+_LEXICON = known_words()
+
+Choice = tuple[str, str, str, float]
+"""A word as it may be read, its tag, its label, and log P(word | tag, label)."""
 
 Shape = tuple[Any, ...]
 
@@ -35,8 +44,9 @@ class Parse:
             text, and over the sentences where there are several.
         log_probability: of the tree with its words.
         probability: among the readings returned with this one; they sum to 1.
-        unknown_words: words that the grammar's treebank does not have, in order.
+        unknown_words: words that neither the grammar's treebank nor the lexicon has, in order; mended ones not.
         complete: whether the grammar covers every sentence of the text.
+        mended: words that were read as others, in order: (as written, as read). The tree has them as read.
     """
 
     tree: Phrase
@@ -44,6 +54,7 @@ class Parse:
     probability: float
     unknown_words: tuple[str, ...]
     complete: bool
+    mended: tuple[tuple[str, str], ...] = ()
 
 
 class Parser:
@@ -66,7 +77,8 @@ class Parser:
         self._beam = beam or Beam()
         self._cover = cover or Cover()
         self._rules = Rules(grammar)
-        self._choices: dict[str, tuple[tuple[str, str, float], ...]] = {}
+        self._choices: dict[str, tuple[Choice, ...]] = {}
+        self._speller = Speller((*grammar.words.counts, *_LEXICON))
 
     @classmethod
     def load(cls, path: Path = models.GRAMMAR) -> Parser:
@@ -92,7 +104,7 @@ class Parser:
         """
         if k < 1:
             raise LanguageError(f"expected at least one reading to be asked for and found k={k}")
-        sentences = split_sentences(tokenize(text))
+        sentences = split_sentences(rewrite(tokenize(text), self._is_known))
         if not sentences:
             raise LanguageError(f"expected an instruction and found a text without words: {text[:40]!r}")
         roots, whole, count = [], True, 0
@@ -103,22 +115,35 @@ class Parser:
             roots.append(root)
             whole &= complete
         trees = _best_trees(_join(roots), k)
-        unknown = tuple(
-            token.text for sentence in sentences for token in sentence if not self.grammar.words.is_known(token.text)
-        )
+        tokens = [token for sentence in sentences for token in sentence]
         total = sum(exp(score - trees[0][1]) for _, score in trees)
-        return tuple(Parse(tree, score, exp(score - trees[0][1]) / total, unknown, whole) for tree, score in trees)
+        return tuple(
+            Parse(tree, score, exp(score - trees[0][1]) / total, self._unknown(tree), whole, _mended(tokens, tree))
+            for tree, score in trees
+        )
+
+    def _is_known(self, word: str) -> bool:
+        return self.grammar.words.is_known(word) or word in _LEXICON or bool(meanings(word))
+
+    def _unknown(self, tree: Phrase) -> tuple[str, ...]:
+        return tuple(leaf.text for leaf in tree.leaves if not self._is_known(leaf.text))
 
     def _readings(self, word: str, index: int) -> list[Lexeme]:
         choices = self._choices.get(word)
         if choices is None:
             choices = self._choices_of(word)
-            if self.grammar.words.is_known(word):
+            if not self._is_known(word):
+                for spelling in self._speller.candidates(word):
+                    choices += tuple(
+                        (as_read, tag, label, chance + spelling.log_probability)
+                        for as_read, tag, label, chance in self._choices_of(spelling.word)
+                    )
+            if len(self._choices) < _MOST_KEPT:
                 self._choices[word] = choices
-        return [Lexeme(Word(word, tag, index), label, chance) for tag, label, chance in choices]
+        return [Lexeme(Word(as_read, tag, index), label, chance) for as_read, tag, label, chance in choices]
 
-    def _choices_of(self, word: str) -> tuple[tuple[str, str, float], ...]:
-        """The tags worth trying for a word: tag, label and log P(word | tag, label)."""
+    def _choices_of(self, word: str) -> tuple[Choice, ...]:
+        """The tags worth trying for a word."""
         model = self.grammar.words
         chances = model.log_probabilities(word)
         limit = max(chances.values()) - _TAG_BEAM
@@ -126,7 +151,7 @@ class Parser:
         for tag, chance in chances.items():
             if chance >= limit:
                 emission = model.log_emission(word, tag, chance) if model.is_rare(word, tag) else 0.0
-                choices.append((tag, label_of(word, tag, model), emission))
+                choices.append((word, tag, label_of(word, tag, model), emission))
         return tuple(choices)
 
 
@@ -139,6 +164,20 @@ def split_sentences(tokens: Sequence[Token]) -> tuple[tuple[Token, ...], ...]:
         elif token.is_word:
             sentences[-1].append(token)
     return tuple(tuple(sentence) for sentence in sentences if sentence)
+
+
+def _mended(tokens: Sequence[Token], tree: Phrase) -> tuple[tuple[str, str], ...]:
+    """What was read as something else than its letters."""
+    return tuple(
+        (token.original, leaf.text)
+        for token, leaf in zip(tokens, tree.leaves, strict=True)
+        if _bare(token.original) != _bare(leaf.text)
+    )
+
+
+def _bare(text: str) -> str:
+    """The letters and digits of a text."""
+    return "".join(filter(str.isalnum, normal(text)))
 
 
 def _join(roots: list[Node]) -> Node:

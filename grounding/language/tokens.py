@@ -71,7 +71,7 @@ def tokenize(text: str) -> tuple[Token, ...]:
         for first, last in pairwise(cuts):
             original = text[first:last]
             if any(_visible(character) for character in original):
-                tokens.append(Token(_normal(original), original, first, last))
+                tokens.append(Token(normal(original), original, first, last))
     if not tokens:
         raise LanguageError(f"expected an instruction and found a text without words: {text[:40]!r}")
     return tuple(tokens)
@@ -81,8 +81,8 @@ def _visible(character: str) -> bool:
     return unicodedata.category(character)[0] not in "CZM"
 
 
-def _normal(original: str) -> str:
-    """Lower case and compatibility forms, unless these would add blanks or brackets."""
+def normal(original: str) -> str:
+    """Lower case, plain apostrophes and hyphens, compatibility forms unless these would add blanks or brackets."""
     folded = original.translate(_FOLD).lower()
     compatible = unicodedata.normalize("NFKC", folded)
     return compatible if _PLAIN.match(compatible) else folded

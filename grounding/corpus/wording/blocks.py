@@ -50,7 +50,6 @@ most 0.3 @loose : furthest|farthest most
 [edgemost]
 sides 6 : leftmost|rightmost
 ends 3 : topmost|bottommost|uppermost
-written.apart 1.5 : left|right|top|bottom most
 compass 2 @compass : northernmost|southernmost|westernmost|easternmost
 heights 4 : highest|lowest
 depth 0.7 : frontmost|backmost

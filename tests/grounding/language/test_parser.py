@@ -8,6 +8,8 @@ from grounding.errors import LanguageError, ModelError
 from grounding.language.grammar import Grammar
 from grounding.language.measure import brackets
 from grounding.language.parser import Parser, split_sentences
+from grounding.language.rewriting import rewrite
+from grounding.language.spelling import distance
 from grounding.language.tokens import tokenize
 from grounding.language.tree import Word, from_brackets
 
@@ -28,12 +30,15 @@ def test_any_text_is_parsed_or_refused(text: str, k: int) -> None:
     except LanguageError:
         assert not any(character.isalnum() for character in text)
         return
-    words = [token.text for token in tokenize(text) if token.is_word]
+    words = [token.text for token in rewrite(tokenize(text), PARSER._is_known) if token.is_word]
     assert 1 <= len(parses) <= k
     for parse in parses:
-        assert [leaf.text for leaf in parse.tree.leaves] == words
+        read = [leaf.text for leaf in parse.tree.leaves]
+        assert all(distance(one, other) <= 2 for one, other in zip(read, words, strict=True))
+        assert all(one == other for one, other in zip(read, words, strict=True) if PARSER._is_known(other))
         assert [leaf.index for leaf in parse.tree.leaves] == list(range(len(words)))
-        assert parse.unknown_words == tuple(word for word in words if word not in VOCABULARY)
+        assert parse.unknown_words == tuple(word for word in read if not PARSER._is_known(word))
+        assert {after for _, after in parse.mended} <= set(read)
     scores = [parse.log_probability for parse in parses]
     assert scores == sorted(scores, reverse=True)
     assert sum(parse.probability for parse in parses) == pytest.approx(1.0)
