@@ -61,10 +61,10 @@ def make_images(
     return len(entries)
 
 
-def choose(items: Sequence[dict[str, Any]], count: int) -> list[dict[str, str]]:
+def choose(items: Sequence[dict[str, Any]], count: int) -> list[dict[str, Any]]:
     """Lines of examples to be pictured: those that speak of arrangements, of each kind in turn, worlds apart first."""
-    kinds: dict[str, list[dict[str, str]]] = {kind: [] for kind in _KINDS}
-    others: list[dict[str, str]] = []
+    kinds: dict[str, list[dict[str, Any]]] = {kind: [] for kind in _KINDS}
+    others: list[dict[str, Any]] = []
     for item in items:
         kind = next((kind for kind in _KINDS if kind in item["constructions"]), None)
         if kind is None or item["example"]["outcome"] != "grounded":
@@ -72,8 +72,8 @@ def choose(items: Sequence[dict[str, Any]], count: int) -> list[dict[str, str]]:
         else:
             kinds[kind].append(item["example"])
     speaking = [line for turn in zip_longest(*kinds.values()) for line in turn if line is not None]
-    first: list[dict[str, str]] = []
-    again: list[dict[str, str]] = []
+    first: list[dict[str, Any]] = []
+    again: list[dict[str, Any]] = []
     seen: set[str] = set()
     for line in speaking:
         (again if line["world"] in seen else first).append(line)
@@ -81,7 +81,7 @@ def choose(items: Sequence[dict[str, Any]], count: int) -> list[dict[str, str]]:
     return [*first, *again, *others][:count]
 
 
-def make_part(folder: str, told: Sequence[tuple[str, dict[str, str], dict[str, Any]]]) -> list[dict[str, Any]]:
+def make_part(folder: str, told: Sequence[tuple[str, dict[str, Any], dict[str, Any]]]) -> list[dict[str, Any]]:
     """Draw some images, and give their entries in the index, for processes that share the work.
 
     Args:

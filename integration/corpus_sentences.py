@@ -32,7 +32,8 @@ class Sentences:
     """Instructions, joined so far.
 
     Attributes:
-        items: one a sentence: `example` as a line of a corpus, `wording`, `held_out`, `action`, `constructions`.
+        items: one a sentence: `example` as a line of a corpus, `said` (its words alone), `wording`, `held_out`,
+            `action`, `constructions`.
         taken: how often each wording is among them.
         dropped: how many were dropped as too frequent or said before in the same world.
     """
@@ -50,7 +51,7 @@ class Sentences:
             if len(self.items) == most:
                 break
             example = item["example"]
-            said = example["world"], example["instruction"]
+            said = example["world"], item["said"]
             if said in self._said or self.taken[item["wording"]] >= MOST_COPIES:
                 self.dropped += 1
                 continue
@@ -136,6 +137,7 @@ def _described(example: Example) -> dict[str, Any]:
     kinds = sorted({symbol.kind for symbol in root if isinstance(symbol, Action)})
     return {
         "example": example_to_json(example),
+        "said": example.tree.text,
         "wording": wording_of(example.tree),
         "held_out": is_held_out(example.tree),
         "action": kinds[0] if kinds else None,

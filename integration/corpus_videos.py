@@ -31,8 +31,10 @@ from integration.worlds import scene_of
 from motion import Pose, rendering_available
 
 ACTIONS = ("pick", "place", "clear")
-LONGEST = {"pick": 1, "place": 1, "clear": 3}
+LONGEST = {"pick": 1, "place": 1, "clear": 2}
 """Of so many objects at most."""
+SHORT = 15.0
+"""A video shows at most so many simulated seconds."""
 _CANDIDATES = 24  # instructions that are tried for one video
 
 
@@ -60,7 +62,7 @@ def make_videos(
               "run the same command again", file=sys.stderr)  # fmt: skip
         return 0
     known = {world.name: world.world for world in worlds}
-    slots = _slots(items, settings.videos)
+    slots = slots_of(items, settings.videos)
     names = [f"videos-{k:02d}" for k in range(len(slots))]
     missing = [k for k, name in enumerate(names) if not folder.complete(name, VIDEOS, "video")]
     tasks = []
@@ -81,7 +83,7 @@ def make_videos(
     return len(entries)
 
 
-def _slots(items: Sequence[dict[str, Any]], count: int) -> list[tuple[str, list[dict[str, str]]]]:
+def slots_of(items: Sequence[dict[str, Any]], count: int) -> list[tuple[str, list[dict[str, Any]]]]:
     """For each video the action that it shows, and lines of examples to try, one a world: first of its own worlds."""
     actions = [ACTIONS[slot % len(ACTIONS)] for slot in range(count)]
     numbers = {name: k for k, name in enumerate(dict.fromkeys(item["example"]["world"] for item in items))}
@@ -96,12 +98,12 @@ def _slots(items: Sequence[dict[str, Any]], count: int) -> list[tuple[str, list[
     return slots
 
 
-def _one_a_world(lines: Sequence[dict[str, str]]) -> list[dict[str, str]]:
+def _one_a_world(lines: Sequence[dict[str, Any]]) -> list[dict[str, Any]]:
     return list({line["world"]: line for line in reversed(lines)}.values())[::-1]
 
 
 def make_video(
-    folder: str, name: str, action: str, told: Sequence[tuple[dict[str, str], dict[str, Any]]], seed: int
+    folder: str, name: str, action: str, told: Sequence[tuple[dict[str, Any], dict[str, Any]]], seed: int
 ) -> list[dict[str, Any]]:
     """Record the first instruction that can be carried out, for processes that share the work.
 
@@ -123,7 +125,8 @@ def make_video(
             continue
         grounding = Grounding(example.instruction, "grounded", (goal,))
         executor = Executor(object(), seed=seed)  # type: ignore[arg-type]  # it has no words to ground
-        if executor.execute(grounding, world).outcome != DONE:
+        tried = executor.execute(grounding, world)
+        if tried.outcome != DONE or sum(step.simulated for step in tried.steps) > SHORT:
             continue
         path = Path(folder) / name
         recording = Recording(scene_of(world), path)
