@@ -4,15 +4,17 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from grounding.corpus.base_words import Said, labels, lying_kinds, sort_words
+from grounding.corpus.base_words import Said, is_measure, labels, lying_kinds, sort_words
 from grounding.corpus.clusters import clusters
 from grounding.corpus.meaning import Meaning, NotAnnotatable
 from grounding.corpus.selector import Selector
 from grounding.geometry.layout import UPRIGHT, Layout
 from grounding.geometry.masks import single
+from grounding.language.lexicon import meanings
 from grounding.language.tree import Phrase
 from grounding.symbols import (
     LAST,
+    Cardinal,
     Container,
     ContainerAttribute,
     ObjectAttribute,
@@ -57,13 +59,13 @@ class BasePhrases:
             return Meaning("pronoun", index=1)
         if texts in (["that", "one"], ["this", "one"]) or (len(texts) == 1 and texts[0] in _PRONOUNS):
             return self._pronoun(texts[0])
+        if is_measure(phrase):
+            return Meaning("measure", frozenset(s for text in texts for s in meanings(text) if isinstance(s, Cardinal)))
         said = sort_words(phrase, self.select.sight.opposite)
         if said.types == ["block"] and len(said.types) == len(texts) - 1 - said.same and said.pointed:
             return self._pointed(said)
         if said.robot or said.speaker:
             return self._person(phrase, said)
-        if said.measure:
-            return Meaning("measure", frozenset(labels(said)))
         if said.unknown:
             return Meaning("nothing", frozenset(labels(said)))
         if "table" in said.types:
@@ -72,6 +74,8 @@ class BasePhrases:
             said.relations.remove("far")  # "the far left" is the left, far out
         said.relations = list(dict.fromkeys(said.relations))
         corner = _corner(said.relations)
+        if len(said.colors) == 2 and said.types and not said.relations and not said.indices and self._joins(phrase):
+            return self._two_colors(said)
         if (len(said.relations) > 1 and not corner) or any(
             len(values) > 1 for values in (said.colors, said.numbers, said.indices)
         ):
@@ -104,6 +108,27 @@ class BasePhrases:
             return self._pronoun("it")
         symbols = labels(said) | {ObjectAttribute("block", None, None, None)}
         return Meaning("pronoun", frozenset(symbols), index=1)
+
+    def _joins(self, phrase: Phrase) -> bool:
+        return any(word.text == "and" for word in phrase.words)
+
+    def _two_colors(self, said: Said) -> Meaning:
+        """The red and the blue block: one of each colour, or all of both."""
+        kind = said.types[0]
+        pools = [self.layout.matching(kind, color) for color in said.colors]
+        pool = pools[0] | pools[1]
+        chosen = pool if all(map(single, pools)) or (said.definite and said.plural and not said.numbers) else 0
+        chosen = chosen if all(pools) else 0
+        symbols = labels(said) | {ContainerAttribute(kind, color, None, None) for color in said.colors}
+        parts = tuple(
+            Meaning("one", object_type=kind, color=color, pool=p, chosen=p if single(p) else 0, indefinite=True)
+            for color, p in zip(said.colors, pools, strict=True)
+        )
+        if chosen:
+            symbols |= self.select.contained("group", chosen)
+        return Meaning("many", frozenset(symbols), kind, number=2 if all(map(single, pools)) else None, definite=True,
+                       pool=pool if all(pools) else 0, chosen=chosen, reference=self.layout.names(chosen),
+                       reference_kind="group", parts=parts)  # fmt: skip
 
     def _person(self, phrase: Phrase, said: Said) -> Meaning:
         sight = self.select.sight
@@ -211,7 +236,7 @@ class BasePhrases:
 
     def _container(self, phrase: Phrase, said: Said, corner: tuple[str, ...]) -> Meaning:
         kinds = lying_kinds(said)
-        if (said.types and not said.numbers) or not kinds or (said.indices and not said.relations and not said.size):
+        if (said.types and not said.numbers) or not kinds:
             raise NotAnnotatable(f"NP {phrase.text!r}: construction not covered")
         if said.several:
             return self._containers(phrase, said)
@@ -229,6 +254,8 @@ class BasePhrases:
         head = Meaning("container", frozenset(), None, color, relation, index, number, said.definite, kinds=kinds,
                        size=said.size, corner=corner, comparative=said.comparative,
                        indefinite=said.indefinite)  # fmt: skip
+        if index is not None and index > len(found):
+            found = []
         chosen = self.select.arrangement(phrase, found, head) if not said.other or len(found) == 1 else None
         mask = 0
         if chosen is not None:

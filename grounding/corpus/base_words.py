@@ -12,6 +12,7 @@ from grounding.corpus.words import (
     INDEFINITE,
     LENGTHS,
     LONE,
+    MEASURING,
     OPPOSITE,
     OTHER,
     PLACE_NOUNS,
@@ -37,11 +38,11 @@ UNKNOWN_NOUNS = frozenset(
 )
 _LYING = {"horizontal": ("row",), "vertical": ("column", "tower"), "straight": ("row", "column")}
 _NUMBERED = {"trio": ("group", 3), "couple": ("group", 2), "quartet": ("group", 4)}
+_MULTIPLE = {"double": 2, "triple": 3, "quadruple": 4}
 _SHAPES = {"formation": "group", "structure": "tower", "arrangement": "group", "grouping": "group"}
 _VIEWERS = ("my", "your", "me", "myself")
 _EVERYTHING = ("everything", "them")
 _COMPARATIVES = ("closer", "nearer", "farther", "further", "higher", "lower")
-_NUMBERING = ("number", "no")
 
 
 @dataclass
@@ -66,7 +67,6 @@ class Said:
     robot: bool = False
     speaker: bool = False
     unknown: bool = False
-    measure: bool = False
     slanted: bool = False
     lying: str = ""
     several: bool = False
@@ -145,8 +145,7 @@ def _function_word(phrase: Phrase, said: Said, word: Word, words: Sequence[Word]
         return True
     if not (is_universal(text) or word.tag in ("DT", "PDT", "PRP$") or text == "most" or text in IGNORED):
         return False
-    if text == "half" and (words[-1].text in LENGTHS or words[-1].tag == "NN") and words[0].text != "the":
-        said.measure = True
+    if text == "and" and sum(any(isinstance(s, ObjectColor) for s in meanings(w.text)) for w in words) == 2:
         return True
     if text in ("their", "no", "half"):
         raise NotAnnotatable(f"NP {phrase.text!r}: {text!r} is not covered")
@@ -181,13 +180,13 @@ def _sort_symbols(phrase: Phrase, said: Said, word: Word, head: bool) -> None:
         if head:
             said.types.append("table")
         return
-    if text in LENGTHS and head:
-        said.measure = True
-        return
     if text in _NUMBERED:
         kind, number = _NUMBERED[text]
         said.kinds = (kind,)
         said.numbers.append(number)
+        return
+    if text in _MULTIPLE and not head:
+        said.numbers.append(_MULTIPLE[text])
         return
     if text in _SHAPES:
         said.kinds = (_SHAPES[text],)
@@ -223,6 +222,25 @@ def _sort_symbols(phrase: Phrase, said: Said, word: Word, head: bool) -> None:
         said.unknown = True
         return
     raise NotAnnotatable(f"NP {phrase.text!r}: {text!r} is not covered")
+
+
+def is_measure(phrase: Phrase) -> bool:
+    """Whether a base noun phrase is a distance: "two spaces", "half a block", "a bit"."""
+    words = [word for word in phrase.words if word.tag != "UH"]
+    texts = [word.text for word in words]
+    counted = words[0].tag in ("CD", "PDT") or texts[0] in ("a", "an", "another", *MEASURING) or _is_decimal(texts[0])
+    if not counted or texts[0] == "the":
+        return False
+    if texts[-1] in ("bit", "little", "tad") or any(map(_is_decimal, texts)):
+        return True
+    named = any(isinstance(s, ObjectColor | SpatialReference) for text in texts for s in meanings(text))
+    if named:
+        return False
+    return texts[-1] in LENGTHS or any(text in MEASURING for text in texts)
+
+
+def _is_decimal(text: str) -> bool:
+    return "." in text and text.replace(".", "").isdecimal()
 
 
 def labels(said: Said) -> set[Symbol]:

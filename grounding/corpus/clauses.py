@@ -68,7 +68,7 @@ class Clauses:
             return self._being(phrase, texts, told)
         if verb in ("has", "have", "made", "formed") and len(told) == 1 and told[0].sort == "many":
             return replace(told[0], symbols=passed(told[0]), preposition="of")
-        if verb in ("touches", "touch") and phrase.words[0].tag != "VB":
+        if verb in ("touches", "touch", "hits", "reaches") and phrase.words[0].tag != "VB":
             if len(told) != 1:
                 raise NotAnnotatable(f"VP {phrase.text!r}: construction not covered")
             return self.destinations.prepositions.region(phrase, told[0], "touching", "touching")
@@ -123,6 +123,8 @@ class Clauses:
             raise NotAnnotatable(f"VP {phrase.text!r}: no action on objects")
         if any(word.text in ("away", "out") for child in phrase.phrases if child.tag == "PRT" for word in child.words):
             kind = "clear" if kind in ("pick", "place") and verb != "pick" else kind
+        if kind == "clear" and told and told[0].sort in ("table", "region", "direction"):
+            told = [self._all_there(phrase, told[0]), *told[1:]]
         moves = verb in _VERBS and kind == "place" and phrase.words[0].tag in ("VBZ", "VBN") and verb != "takes"
         subjectless = moves or (verb == "go" and told and told[0].sort not in _HANDLED)
         if verb == "joins" and len(told) == 1:
@@ -147,6 +149,15 @@ class Clauses:
             pronoun = told[0]
             return self.act(phrase, kind, pronoun, tuple(places))
         return self.act(phrase, kind, target, tuple(places))
+
+    def _all_there(self, phrase: Phrase, place: Meaning) -> Meaning:
+        """What is cleared where a place is: everything on it."""
+        everything = Meaning("many", pool=self.layout.everything, chosen=self.layout.everything, definite=True)
+        if place.sort == "table":
+            return everything
+        if place.sort == "direction" and place.place not in ("half", "side", "part", "section", "area"):
+            raise NotAnnotatable(f"VP {phrase.text!r}: no action on objects")
+        return self.noun_phrases.modified(phrase, everything, place)
 
     def _framed(self, phrase: Phrase, told: list[Meaning]) -> tuple[list[Meaning], list[Meaning]]:
         """What was said before the verb, to choose from, and the rest."""
@@ -222,6 +233,8 @@ class Clauses:
             if told[0].sort == "action" and told[0].target is None and told[0].verb and viewers:
                 raise NotAnnotatable(f"{phrase.text!r}: people are not moved")
             return replace(told[0], symbols=passed(told[0]))
+        if len(told) == 2 and all(child.sort == "action" for child in told):
+            return self.discourse(phrase, told)
         if len(told) == 2 and phrase.tag == "S":
             return self._stated(phrase, *told)
         if len(told) == 3 and phrase.tag == "S" and told[2].sort == "action" and phrase.phrases[0].tag == "PP":
@@ -307,8 +320,8 @@ class Clauses:
         if topic is not None and topic.sort == "nothing":
             return Meaning("action", frozenset({Action(said.verb)} if said.verb else ()), verb=said.verb)
         if not said.verb or said.target is None:
-            if said.verb and topic is not None and done is not None:
-                return self.act(phrase, said.verb, topic, said.parts)
+            if said.verb and topic is not None and done is not None and done.verb == said.verb:
+                return self._further(phrase, topic, done, said)
             if done is None or not said.verb:
                 return said
             raise NotAnnotatable(f"{phrase.text!r}: construction not covered")
@@ -319,10 +332,7 @@ class Clauses:
             if (target.index == 2) != (topic.sort in ("many", "container")):
                 raise NotAnnotatable(f"{phrase.text!r}: one or several?")
             if done is not None and done.verb == "place" and said.verb == "place":
-                places = (*done.parts, *said.parts)
-                if any(place.sort != "direction" for place in places):
-                    raise NotAnnotatable(f"{phrase.text!r}: moved twice")
-                return self.act(phrase, "place", topic, places)
+                return self._further(phrase, topic, done, said)
             return self.act(phrase, said.verb, topic, said.parts)
         if done is not None:
             raise NotAnnotatable(f"{phrase.text!r}: two commands")
@@ -333,3 +343,10 @@ class Clauses:
         if topic is not None and topic.chosen and target.chosen and topic.chosen != target.chosen:
             raise NotAnnotatable(f"{phrase.text!r}: spoken of was something else")
         return said
+
+    def _further(self, phrase: Phrase, topic: Meaning, done: Meaning, said: Meaning) -> Meaning:
+        """Moved one way, and then another."""
+        places = (*done.parts, *said.parts)
+        if any(place.sort != "direction" for place in places):
+            raise NotAnnotatable(f"{phrase.text!r}: moved twice")
+        return self.act(phrase, "place", topic, places)

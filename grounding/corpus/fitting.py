@@ -15,6 +15,8 @@ from grounding.language.tree import Phrase, Word
 from grounding.symbols import Cardinal, Container, ObjectColor
 
 SHARE = 0.85  # of the words that do not suit the world; the others stay and make sentences that mean nothing there
+SINGLED = 0.6  # of the blocks that others are next to are told apart by a colour of their own, where there is one
+SINGULAR = ("block", "box", "cube", "brick", "piece", "one")
 _NUMBERS = ("one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten")
 _NOUNS = {
     "row": ("row", "row", "line"), "column": ("column", "column", "line"), "group": ("group", "cluster", "bunch"),
@@ -27,7 +29,8 @@ class Vocabulary:
     """What there is to speak of in a world.
 
     Attributes:
-        colors: of its blocks, each as often as it occurs.
+        colors: of its blocks.
+        rare: those of a single block.
         sizes: of its arrangements and of the sets of one colour.
         kinds: of its arrangements.
     """
@@ -35,6 +38,7 @@ class Vocabulary:
     colors: tuple[str, ...]
     sizes: tuple[int, ...]
     kinds: tuple[str, ...]
+    rare: tuple[str, ...] = ()
     _by_kind: dict[str, tuple[int, ...]] = field(default_factory=dict)
 
     def sizes_of(self, kind: str) -> tuple[int, ...]:
@@ -49,7 +53,8 @@ def vocabulary(layout: Layout, arrangements: Sequence[tuple[str, int]]) -> Vocab
     sizes = sorted({mask.bit_count() for _, mask in arrangements} | {n for n in counts.values() if n > 1})
     kinds = tuple(sorted({kind for kind, _ in arrangements}))
     by_kind = {kind: tuple(sorted(m.bit_count() for k, m in arrangements if k == kind)) for kind in kinds}
-    return Vocabulary(colors, tuple(n for n in sizes if 2 <= n <= 10), kinds, by_kind)
+    rare = tuple(sorted(color for color, number in counts.items() if number == 1 and color != "unknown"))
+    return Vocabulary(colors, tuple(n for n in sizes if 2 <= n <= 10), kinds, rare, by_kind)
 
 
 def fit(tree: Phrase, words: Vocabulary, rng: np.random.Generator) -> Phrase:
@@ -70,6 +75,8 @@ def _fit(phrase: Phrase, words: Vocabulary, rng: np.random.Generator, kind: str 
     for child in phrase.children:
         if isinstance(child, Phrase):
             fitted = _fit(child, words, rng, kind if phrase.tag == "PP" else None)
+            if words.rare and (phrase.tag == "PP" or _joins(phrase)) and rng.random() < SINGLED:
+                fitted = _singled(fitted, words, rng)
             if phrase.tag == "NP" and child.tag == "NP" and kind is None:
                 kind = _kind(fitted)
             children.append(fitted)
@@ -78,6 +85,22 @@ def _fit(phrase: Phrase, words: Vocabulary, rng: np.random.Generator, kind: str 
             if phrase.tag == "NP" and kind is None and isinstance(children[-1], Word):
                 kind = _kind_of(children[-1])
     return Phrase(phrase.tag, tuple(children))
+
+
+def _joins(phrase: Phrase) -> bool:
+    return phrase.tag == "NP" and any(word.tag == "CC" for word in phrase.words)
+
+
+def _singled(phrase: Phrase, words: Vocabulary, rng: np.random.Generator) -> Phrase:
+    """The block that something stands next to, told apart by a colour that no other has."""
+    if phrase.tag != "NP" or phrase.phrases or phrase.words[0].text != "the" or phrase.words[-1].tag != "NN":
+        return phrase
+    if phrase.words[-1].text not in SINGULAR or not 2 <= len(phrase.words) <= 3:
+        return phrase
+    if len(phrase.words) == 3 and not any(isinstance(s, ObjectColor) for s in meanings(phrase.words[1].text)):
+        return phrase
+    color = Word(words.rare[int(rng.integers(len(words.rare)))], "JJ", 0)
+    return Phrase("NP", (phrase.words[0], color, phrase.words[-1]))
 
 
 def _counts(said: Sequence[Word]) -> bool:

@@ -36,6 +36,8 @@ OUTCOME_SHARES = {"grounded": 0.8, "ambiguous": 0.1, "no_referent": 0.1}
 FAMILY_SHARES = {"pick": 0.34, "place": 0.28, "statement": 0.16, "description": 0.12, "clear": 0.1}
 _TREEBANK_SHARE = 0.15  # of the trees are variants of the treebank's
 _TRIES = 160  # trees for a wanted example
+_RICH_SHARE = 0.6  # of the examples are the richest of several: simple sentences are true more often
+_CANDIDATES = 3
 _MOST_ALTERNATIVES = 8  # what leaves more open is not said
 _REFERRING = frozenset(("it", "that", "this", "moved", "placed", "put", "picked"))
 
@@ -74,19 +76,25 @@ class _Making:
         families = list(FAMILY_SHARES)
         family = families[int(self.rng.choice(len(families), p=list(FAMILY_SHARES.values())))]
         topics = Topics(frozenset({family}), self.unsaid)
+        best: Example | None = None
+        wanted = _CANDIDATES if self.rng.random() < _RICH_SHARE else 1
         for _ in range(_TRIES):
             tree = self._tree(topics)
-            wording = wording_of(tree)
-            if self.taken[wording] >= MOST_COPIES or tree.text in self._texts:
+            if self.taken[wording_of(tree)] >= MOST_COPIES or tree.text in self._texts:
                 continue
             example = self._example(tree)
             if example is None or self._outcomes[example.outcome] >= self._most(example.outcome, count):
                 continue
-            self._outcomes[example.outcome] += 1
-            self._texts.add(tree.text)
-            self.taken[wording] += 1
-            self.found.append(example)
-            return
+            if best is None or len(example.groundings) > len(best.groundings):
+                best = example
+            wanted -= 1
+            if not wanted:
+                break
+        if best is not None:
+            self._outcomes[best.outcome] += 1
+            self._texts.add(best.tree.text)
+            self.taken[wording_of(best.tree)] += 1
+            self.found.append(best)
 
     def _tree(self, topics: Topics) -> Phrase:
         if self.rng.random() < _TREEBANK_SHARE:

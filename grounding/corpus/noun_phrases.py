@@ -77,12 +77,20 @@ class NounPhrases:
             return self._container(phrase, head, modifier)
         if head.sort == "direction":
             return self._place(phrase, head, modifier)
+        if head.sort == "view":
+            return head
         if head.sort == "table" and modifier.sort == "region":
             return replace(modifier, symbols=passed(modifier), preposition="")
         raise NotAnnotatable(f"NP {phrase.text!r}: a {head.sort} with a {modifier.sort} is not covered")
 
     def _both(self, phrase: Phrase, children: list[Meaning]) -> Meaning:
         chosen = 0
+        if all(c.sort == "one" and not c.unclear and (c.chosen or c.indefinite) and c.pool for c in children) and any(
+            not c.chosen for c in children
+        ):
+            symbols = frozenset().union(*(passed(child) for child in children))
+            pool = children[0].pool | children[1].pool
+            return Meaning("many", symbols, pool=pool, number=2, parts=tuple(children))
         for child in children:
             if child.sort == "nothing":
                 return Meaning("nothing")
@@ -91,7 +99,7 @@ class NounPhrases:
             if child.chosen & chosen:
                 raise NotAnnotatable(f"NP {phrase.text!r}: parts of 'and' overlap")
             chosen |= child.chosen
-        symbols: frozenset[Symbol] = frozenset().union(*(passed(child) for child in children))
+        symbols = frozenset().union(*(passed(child) for child in children))
         return Meaning("many", symbols, pool=chosen, chosen=chosen, reference=self.layout.names(chosen),
                        definite=True, number=len(children))  # fmt: skip
 
@@ -124,8 +132,7 @@ class NounPhrases:
         if modifier.sort in ("container", "many", "one"):
             if modifier.sort == "one" and not modifier.preposition:
                 return self._predicated(phrase, head, modifier), "", False
-            if not modifier.chosen:
-                raise NotAnnotatable(f"{phrase.text!r}: {modifier.sort} is not determined")
+            modifier = self._resolved(phrase, head, modifier)
             if head.relation in ("near", "far") and modifier.preposition in ("to", "from"):
                 return replace(head, nearest_to=modifier.reference, away=head.relation == "far", relation=None,
                                index=head.index), "", False  # fmt: skip
@@ -143,6 +150,17 @@ class NounPhrases:
         if modifier.sort in _SILENT:
             return head, "", False
         raise NotAnnotatable(f"{phrase.text!r}: a {modifier.sort} says nothing of a block")
+
+    def _resolved(self, phrase: Phrase, head: Meaning, modifier: Meaning) -> Meaning:
+        """Of the three: of the only set of three that can be seen."""
+        if modifier.chosen:
+            return modifier
+        pool = modifier.pool
+        cands = [a for a in self.arrangements if a[1].bit_count() == modifier.number and not a[1] & ~pool]
+        if modifier.sort != "many" or len(cands) != 1 or modifier.preposition not in ("of", "in", "from"):
+            raise NotAnnotatable(f"{phrase.text!r}: {modifier.sort} is not determined")
+        return replace(modifier, chosen=cands[0][1], reference=self.layout.names(cands[0][1]),
+                       reference_kind=cands[0][0])  # fmt: skip
 
     def _directed(self, phrase: Phrase, head: Meaning, modifier: Meaning) -> Meaning:
         pool, said, index = head.pool, modifier.relation, modifier.index or head.index

@@ -80,7 +80,7 @@ class Prepositions:
         if not {"and", "then", "but"} & set(texts) and any(p.words for p in phrase.phrases if p.tag != "PP"):
             raise self._refusal(phrase)
         symbols = first.symbols | second.symbols
-        if first.sort == "direction" and first.place == "path" and second.sort == "region" and second.region:
+        if first.relation and first.place == "path" and second.sort == "region" and second.region:
             relation = str(first.relation)
             region = Region(relation, second.region.kind, second.region.objects)
             return replace(second, symbols=second.symbols | {region}, regions=(region, *second.regions))
@@ -110,6 +110,16 @@ class Prepositions:
 
     def _one(self, phrase: Phrase, texts: list[str], child: Meaning) -> Meaning:
         ordinals = [s.value for text in texts for s in meanings(text) if isinstance(s, Ordinal)]
+        if child.sort == "direction" and "and" in texts and not child.corner and len(directions(texts[0])) == 1:
+            first, second = (
+                {"top": "back", "bottom": "front"}.get(directions(texts[0])[0], directions(texts[0])[0]),
+                child.relation,
+            )
+            return Meaning("direction", child.symbols | {SpatialReference(first)}, corner=(first, str(second)),
+                           place="path", preposition="toward")  # fmt: skip
+        if child.sort in ("robot", "speaker") and texts[-1] in ("toward", "towards"):
+            name = "near" if child.sort == "robot" else "far"
+            return replace(self._direction(name, "toward"), place="path")
         near = any(text in SUPERLATIVE_NEAR for text in texts)
         far = any(text in SUPERLATIVE_FAR for text in texts)
         if child.sort in ("lone", "view"):
@@ -144,7 +154,7 @@ class Prepositions:
         stands_on = preposition in ("on", "onto", "upon") and child.sort in ("one", "table", "container", "many")
         if child.sort == "nothing" or (is_empty(child) and preposition not in _COPYING):
             return replace(child, preposition=preposition) if preposition in _COPYING else Meaning("nothing")
-        if child.sort == "direction" and preposition in ("near", "by", "against"):
+        if child.sort == "direction" and _RELATIONS.get(preposition) in ("near", "touching"):
             return replace(child, symbols=passed(child), preposition="at")
         if preposition in _RELATIONS and (stands_on or preposition not in _COPYING or preposition == "over"):
             if child.sort in ("robot", "speaker"):
@@ -226,6 +236,8 @@ class Prepositions:
         if relation == "surrounded" or (relation == "between" and child.sort != "many"):
             return self._amid(phrase, child, preposition, relation)
         relation = "near" if contact else relation
+        if child.parts and not child.chosen:
+            return self._each_of_two(phrase, child, relation, preposition, contact)
         if not child.reference:
             return self._existential(phrase, child, relation, preposition, contact)
         if relation == "between":
@@ -271,6 +283,25 @@ class Prepositions:
             restricts = self._at_least(phrase, child.pool, number, relation, contact)
         return Meaning("region", frozenset({region}), region=region, preposition=preposition, contact=contact,
                        restricts=restricts)  # fmt: skip
+
+    def _each_of_two(self, phrase: Phrase, child: Meaning, relation: str, preposition: str, contact: bool) -> Meaning:
+        """Between a red and a blue block; touching one of each."""
+        pools = [part.chosen or part.pool for part in child.parts]
+        if len(pools) != 2 or not all(pools) or not child.pool.bit_count() <= MOST_REFERENCES:
+            raise NotAnnotatable(f"PP {phrase.text!r}: its reference is not determined")
+        first, second = (list(indices_of(pool)) for pool in pools)
+        region = Region(relation, "object", self.layout.names(child.pool))
+        found = 0
+        if relation == "between":
+            for i, j in ((i, j) for i in first for j in second if i != j):
+                names = self.layout.names(1 << i | 1 << j)
+                found |= self.layout.within(Region("between", "object", names))
+        else:
+            found = self.layout.everything
+            for pool in pools:
+                found &= self._at_least(phrase, pool, 1, relation, contact)
+        return Meaning("region", frozenset({region}), region=region, preposition=preposition, contact=contact,
+                       restricts=found)  # fmt: skip
 
     def _at_least(self, phrase: Phrase, pool: int, number: int, relation: str, contact: bool) -> int:
         """What is in a relation to so many members of a set."""

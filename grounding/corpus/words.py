@@ -23,11 +23,12 @@ CORNERS = frozenset("corner corners".split())
 PLACE_NOUNS = EDGES | PARTS | CORNERS
 
 LONE = frozenset(
-    "lone single solitary isolated loose alone separate freestanding free-standing standalone lonely unstacked".split()
+    "lone single solitary isolated loose alone separate freestanding free-standing standalone lonely unstacked solo "
+    "stray".split()
 )
 OTHER = frozenset(("other", "another"))
 INDEFINITE = frozenset(("a", "an", "some", "any", "another"))
-BLOCKS = frozenset("piece pieces object objects thing things item items tile tiles unit units".split())
+BLOCKS = frozenset("square squares piece pieces object objects thing things item items tile tiles unit units".split())
 TABLES = frozenset("board grid screen surface desk tabletop desktop playing".split())
 IGNORED = frozenset(
     "of very only whole entire most absolute extreme same hand nearby little um uh er exact actual immediate "
@@ -37,6 +38,7 @@ SUPERLATIVE_NEAR = frozenset(("closest", "nearest", "closer", "nearer"))
 SUPERLATIVE_FAR = frozenset(("farthest", "furthest", "farther", "further"))
 OPPOSITE = {"left": "right", "right": "left", "front": "back", "back": "front", "near": "far", "far": "near",
             "top": "bottom", "bottom": "top"}  # fmt: skip
+MEASURING = frozenset("half about approximately almost roughly around nearly quarter bit little few couple".split())
 LENGTHS = frozenset(
     "length lengths space spaces spot spots step steps width widths square squares place places distance distances "
     "unit units".split()
