@@ -23,14 +23,18 @@ from motion.errors import InvalidGoal
 from motion.ik_avoid import Avoidance
 from motion.ik_newton import ORIENTATION_TOLERANCE, POSITION_TOLERANCE, Descent, descend, persist, settle
 from motion.ik_reasons import checked_distance, in_collision, out_of_reach, too_far
-from motion.ik_seeds import SeedTable
+from motion.ik_seeds import NEIGHBOURS, SeedTable
 from motion.poses import Array, Pose, frozen
 from motion.recipe import recipe
 from motion.robot import load_robot
 
 LM = "lm"
 """The name of the solver that is not mink's: Levenberg-Marquardt on Pinocchio."""
-RESTARTS = 30
+RESTARTS = 150
+"""Starts at most, by default; nine in ten targets need one, and what is far out of reach is given up after thirty."""
+_RANDOM = 6
+_CLOSE = 0.03
+"""Only where some start ends with less than this left (squared metres and radians) there are more than thirty."""
 _NEARLY = 1e-2
 """Starts that end with less than this left (squared metres and radians) are worth a slower, surer descent."""
 _PERSISTENT = 3
@@ -123,9 +127,9 @@ def solve_ik(
     refused: list[Array] = []
     missed: list[Descent] = []
     tried = 0
-    for start in _starts(arm, placement, first, preferred, rng, restarts, missed):
-        tried += 1
-        descent = lead(start) if tried <= restarts else persist(kinematics, last, start)
+    for start, surely in _starts(arm, placement, first, preferred, rng, restarts, missed):
+        tried += not surely
+        descent = persist(kinematics, last, start) if surely else lead(start)
         if not descent.reached:
             if tried == 1:
                 checked_distance(data, target)
@@ -134,7 +138,7 @@ def solve_ik(
         joints = descent.joints if wished is None else settle(kinematics, last, descent.joints, wished)
         near = None if avoid is None else avoid.nearest(joints)
         if near is None and (accept is None or accept(joints)):
-            return _solution(kinematics, joints, placement, min(tried, restarts))
+            return _solution(kinematics, joints, placement, tried)
         refused.append(joints)
         if near is not None:
             conflicts.append(near)
@@ -144,11 +148,11 @@ def solve_ik(
         for joints in _mildest(refused, conflicts):
             descent = avoid.slide(joints, target, _SLIDING_SOLVER if solver == LM else solver)
             if descent.reached and avoid.nearest(descent.joints) is None and (accept is None or accept(descent.joints)):
-                return _solution(kinematics, descent.joints, placement, restarts)
+                return _solution(kinematics, descent.joints, placement, tried)
     if refused:
-        raise in_collision(data, target, conflicts, len(refused), restarts)
+        raise in_collision(data, target, conflicts, len(refused), tried)
     starts = list(_table(arm).starts(placement.translation, placement.rotation, preferred))
-    raise out_of_reach(data, kinematics, target, last, starts, restarts)
+    raise out_of_reach(data, kinematics, target, last, starts, tried)
 
 
 def solutions(
@@ -184,12 +188,14 @@ def solutions(
     last = placement * kinematics.tool_inverse
     found: list[Array] = []
     missed: list[Descent] = []
-    for tried, start in enumerate(_starts(arm, placement, first, preferred, rng, restarts, missed)):
-        if tried >= restarts and found:
+    tried = 0
+    for start, surely in _starts(arm, placement, first, preferred, rng, restarts, missed):
+        if surely and found:
             return
-        descent = descend(kinematics, last, start) if tried < restarts else persist(kinematics, last, start)
+        tried += not surely
+        descent = persist(kinematics, last, start) if surely else descend(kinematics, last, start)
         if not descent.reached:
-            if tried == 0:
+            if tried == 1:
                 checked_distance(data, target)
             missed.append(descent)
         elif all(np.max(np.abs(descent.joints - other)) > _DIFFERENT for other in found):
@@ -197,7 +203,7 @@ def solutions(
             yield frozen(descent.joints)
     if not found:
         starts = list(_table(arm).starts(placement.translation, placement.rotation, preferred))
-        raise out_of_reach(data, kinematics, target, last, starts, restarts)
+        raise out_of_reach(data, kinematics, target, last, starts, tried)
 
 
 def reachable(arm: str, targets: Sequence[Pose], *, restarts: int = RESTARTS) -> Array:
@@ -222,14 +228,14 @@ def reachable(arm: str, targets: Sequence[Pose], *, restarts: int = RESTARTS) ->
         placement = _placement(target)
         last = placement * kinematics.tool_inverse
         missed: list[Descent] = []
-        for tried, start in enumerate(_starts(arm, placement, None, home, None, restarts, missed)):
-            descent = descend(kinematics, last, start) if tried < restarts else persist(kinematics, last, start)
+        for start, surely in _starts(arm, placement, None, home, None, restarts, missed):
+            descent = persist(kinematics, last, start) if surely else descend(kinematics, last, start)
             if descent.reached:
                 found[row] = descent.joints
                 break
-            missed.append(descent)
-            if tried == 0 and too_far(robot.arm(arm), target):
+            if not missed and too_far(robot.arm(arm), target):
                 break
+            missed.append(descent)
     return found
 
 
@@ -262,7 +268,7 @@ def track(arm: str, targets: Sequence[Pose], start: ArrayLike, solver: str = LM)
 @lru_cache(maxsize=2)
 def _table(arm: str) -> SeedTable:
     robot = load_robot()
-    return SeedTable(robot.kinematics(arm), robot.arm(arm).wrist)
+    return SeedTable(robot.kinematics(arm), robot.arm(arm).wrist, recipe().home[arm])
 
 
 def _starts(
@@ -273,24 +279,32 @@ def _starts(
     rng: np.random.Generator | None,
     restarts: int,
     missed: Sequence[Descent],
-) -> Iterator[Array]:
-    """The seed, then the table's configurations, then random ones; after `restarts` of them the best that missed."""
-    data = load_robot().arm(arm)
+) -> Iterator[tuple[Array, bool]]:
+    """The seed, then the table's configurations near the target, then random ones, then more of the table's.
+
+    The last ones are worth their time only where some start came close; elsewhere there are none. After all of them
+    come the best that missed, with True: for a slower, surer descent.
+    """
+    data, table = load_robot().arm(arm), _table(arm)
     left = restarts
     if seed is not None:
-        yield seed
+        yield seed, False
         left -= 1
     if left > 0:
-        for start in islice(_table(arm).starts(placement.translation, placement.rotation, preferred), left):
-            yield start
+        for start in islice(table.starts(placement.translation, placement.rotation, preferred), left):
+            yield start, False
             left -= 1
-    if left > 0:
-        rng = np.random.default_rng(0) if rng is None else rng
-        for _ in range(left):
-            yield rng.uniform(data.lower, data.upper)
+    rng = np.random.default_rng(0) if rng is None else rng
+    for _ in range(min(left, _RANDOM)):
+        yield rng.uniform(data.lower, data.upper), False
+        left -= 1
+    if left > 0 and any(descent.left < _CLOSE for descent in missed):
+        more = table.starts(placement.translation, placement.rotation, preferred, NEIGHBOURS + left)
+        for start in islice(more, NEIGHBOURS, None):
+            yield start, False
     nearly = sorted((descent for descent in missed if descent.left < _NEARLY), key=lambda descent: descent.left)
     for descent in nearly[:_PERSISTENT]:
-        yield descent.joints
+        yield descent.joints, True
 
 
 def _leader(arm: str, solver: str, target: Pose, last: Any, posture: Array | None) -> Callable[[Array], Descent]:

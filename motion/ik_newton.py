@@ -84,11 +84,10 @@ def descend(
             break
         last = left
         damping = _DAMPING + _DAMPING_BY_ERROR * left
-        moved = _moved(joints, _solved(jacobian, error, damping), jacobian, error, damping, lower, upper)
-        largest = max(map(abs, (moved - joints).tolist()))
-        if largest > _LARGEST_STEP:
-            moved = joints + (moved - joints) * (_LARGEST_STEP / largest)
-        joints = moved
+        moved, change = _moved(joints, _solved(jacobian, error, damping), jacobian, error, damping, lower, upper)
+        values = change.tolist()
+        largest = max(max(values), -min(values))
+        joints = moved if largest <= _LARGEST_STEP else joints + change * (_LARGEST_STEP / largest)
     return Descent(joints, left < _GOOD, step, left)
 
 
@@ -118,7 +117,7 @@ def persist(kinematics: ArmKinematics, target: Any, start: Array, steps: int = 1
         if left < _GOOD or damping > _MOST_DAMPING:
             break
         solved = _solved(jacobian, error, damping)
-        moved = _moved(joints, solved, jacobian, error, damping, kinematics.lower, kinematics.upper)
+        moved, _ = _moved(joints, solved, jacobian, error, damping, kinematics.lower, kinematics.upper)
     return Descent(joints, left < _GOOD or _within(kinematics, target, joints), steps, left)
 
 
@@ -166,12 +165,15 @@ def _solved(jacobian: Array, error: Array, damping: float) -> Array:
 
 def _moved(
     joints: Array, step: Array, jacobian: Array, error: Array, damping: float, lower: Array, upper: Array
-) -> Array:
-    """`joints` after `step`, within the ranges; what the stopped joints do not do, the others do if they can."""
+) -> tuple[Array, Array]:
+    """`joints` after `step`, within the ranges, and by how much they moved.
+
+    What the joints that are stopped at the ends of their ranges do not do, the others do if they can.
+    """
     wanted = joints + step
     clipped = np.minimum(np.maximum(wanted, lower), upper)
     if clipped.tolist() == wanted.tolist():
-        return clipped
+        return clipped, step
     stopped = clipped != wanted
     for _ in range(len(joints)):
         done = np.where(stopped, clipped - joints, 0.0)
@@ -182,4 +184,4 @@ def _moved(
         if not beyond.any():
             break
         stopped = stopped | beyond
-    return clipped
+    return clipped, clipped - joints

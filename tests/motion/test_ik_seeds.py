@@ -11,7 +11,9 @@ from motion.recipe import recipe
 @pytest.fixture(scope="module", params=["left", "right"])
 def table(request):
     robot = load_robot()
-    return request.param, SeedTable(robot.kinematics(request.param), robot.arm(request.param).wrist)
+    return request.param, SeedTable(
+        robot.kinematics(request.param), robot.arm(request.param).wrist, recipe().home[request.param]
+    )
 
 
 def test_starts_are_within_the_ranges_and_mostly_near_the_target(table):
@@ -35,7 +37,7 @@ def test_the_first_and_the_last_joint_are_read_off_the_target(first, last, seed)
     # Whatever the first and last joints of a configuration of the table, that configuration is found again.
     robot = load_robot()
     kinematics = robot.kinematics("left")
-    table = SeedTable(kinematics, robot.arm("left").wrist, count=300)
+    table = SeedTable(kinematics, robot.arm("left").wrist, recipe().home["left"], count=300)
     joints = table._joints[seed % 300].copy()
     joints[0], joints[6] = first, last
     target = kinematics.pose(joints)
