@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -13,7 +13,7 @@ from grounding.corpus.generator import compose_world, recognise
 from grounding.corpus.shapes import misfit
 from grounding.corpus.treebank import LaidWorld
 from grounding.symbols import Container
-from grounding.world import World, WorldObject, world_from_json, world_to_json
+from grounding.world import World, world_from_json, world_to_json
 from integration.errors import IntegrationError
 from integration.worlds import scene_of, world_at
 from motion import Pose
@@ -53,7 +53,7 @@ class SettledWorld:
     @property
     def laid(self) -> LaidWorld:
         """The world, digested for the generator of sentences."""
-        return recognise(self.name, self.world, self.containers)
+        return well_named(recognise(self.name, self.world, self.containers))
 
     def to_json(self) -> dict[str, Any]:
         """Plain values; `settled_from_json` reads them back."""
@@ -93,6 +93,12 @@ def draw_settled(seed: int, number: int) -> SettledWorld:
             world, containers = found
             return SettledWorld(name, how, world, containers, tries)
     raise Unsettled(f"world {number} of seed {seed}: none of {_TRIES} that were drawn came to rest on the table")
+
+
+def well_named(laid: LaidWorld) -> LaidWorld:
+    """The world without the arrangements that catch the eye but are too crooked for what they would be called."""
+    objects = {mask: [laid.layout.world[name] for name in laid.layout.names(mask)] for _, mask in laid.arrangements}
+    return replace(laid, arrangements=tuple(a for a in laid.arrangements if misfit(a[0], objects[a[1]]) is None))
 
 
 def settle_worlds(seed: int, numbers: Sequence[int]) -> list[dict[str, Any]]:
@@ -143,8 +149,4 @@ def _rounded(pose: Pose) -> Pose:
 
 def _fits(container: Container, world: World) -> bool:
     """Whether an arrangement is still what it is called."""
-    return misfit(container.kind, _objects(container.objects, world)) is None
-
-
-def _objects(names: Iterable[str], world: World) -> list[WorldObject]:
-    return [world[name] for name in names]
+    return misfit(container.kind, [world[name] for name in container.objects]) is None

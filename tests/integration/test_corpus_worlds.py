@@ -8,7 +8,7 @@ from grounding.corpus.shapes import misfit
 from grounding.corpus.tabletop import TABLE
 from grounding.symbols import Container
 from grounding.world import World, load_world, make_object, save_world, world_to_json
-from integration.corpus_worlds import COMPOSED, PUSHED, confirmed, draw_settled, settled_from_json
+from integration.corpus_worlds import COMPOSED, PUSHED, confirmed, draw_settled, settled_from_json, well_named
 from integration.worlds import scene_of
 from motion import Simulator
 
@@ -49,6 +49,16 @@ def test_arrangements_are_still_what_they_are_called(drawn):
     assert kept
     for world, container in kept:
         assert misfit(container.kind, [world.world[name] for name in container.objects]) is None
+
+
+def test_what_is_too_crooked_for_its_name_is_not_spoken_of():
+    z = 0.711 + 0.025
+    places = [(0.5, -0.3, z), (0.7, -0.1, z), (0.5, 0.1, z), (0.7, 0.3, z)]
+    crooked = laid("crooked", places, "row")
+    straight = laid("straight", [(0.6, y, z) for _, y, _ in places], "row")
+    assert ("row", 0b1111) in crooked.arrangements
+    assert ("row", 0b1111) not in well_named(crooked).arrangements
+    assert well_named(straight).arrangements == straight.arrangements
 
 
 @pytest.mark.parametrize("number", [2, 3])
