@@ -2,18 +2,22 @@
 
 from __future__ import annotations
 
+from numbers import Real
+
 import numpy as np
 from numpy.typing import ArrayLike
 
 from motion.errors import InvalidGoal
 from motion.outlines import contains, overlap
 from motion.poses import Array, Pose, about
+from motion.robot import load_robot
 from motion.scene import Box, Scene, standing
 from motion.state import ARMS, RobotState
 
 HEIGHT_TOLERANCE = 0.004
 """How far a destination's height may be from resting on what is below, metres."""
 _TOUCHING = 0.0005
+_BEYOND = 0.02
 
 
 def checked_target(scene: Scene, name: str, state: RobotState) -> Box:
@@ -55,6 +59,35 @@ def checked_arms(arm: str, state: RobotState, target: str) -> tuple[str, ...]:
     return free
 
 
+def checked_start(state: RobotState) -> RobotState:
+    """The state that a plan begins with.
+
+    Raises:
+        InvalidGoal: a joint is beyond the end of its range.
+    """
+    for arm in ARMS:
+        data = load_robot().arm(arm)
+        beyond = np.maximum(data.lower - state.joints(arm), state.joints(arm) - data.upper)
+        worst = int(np.argmax(beyond))
+        if beyond[worst] > _BEYOND:
+            raise InvalidGoal(
+                f"a plan cannot begin with {data.joints[worst]} at {state.joints(arm)[worst]:.3f} rad; its range is "
+                f"{data.lower[worst]:.3f} to {data.upper[worst]:.3f}"
+            )
+    return state
+
+
+def checked_lift(lift: float) -> float:
+    """How far a box is lifted.
+
+    Raises:
+        InvalidGoal: it is no finite number above 0.
+    """
+    if not (isinstance(lift, Real) and np.isfinite(lift) and lift > 0):
+        raise InvalidGoal(f"a box is lifted by a finite number of metres above 0, not by {lift!r}")
+    return float(lift)
+
+
 def turned(box: Box, position: Array, turn: float) -> Box:
     """The box at `position`, standing on a face, turned by `turn` radians about the vertical."""
     return box.at(Pose.of(about((0, 0, 1), turn) @ standing(box).axes, position))
@@ -79,10 +112,13 @@ def checked_destination(scene: Scene, name: str, position: ArrayLike, turn: floa
     Raises:
         InvalidGoal: the destination is not finite, occupied, without support, or too near the edge of its support.
     """
-    point = np.asarray(position, dtype=np.float64)
+    try:
+        point = np.asarray(position, dtype=np.float64)
+    except (TypeError, ValueError):
+        point = np.empty(0)
     if point.shape != (3,) or not np.all(np.isfinite(point)) or not np.isfinite(turn):
         raise InvalidGoal(
-            f"the destination of {name!r} must be three finite numbers and a finite yaw, not {point.tolist()} and "
+            f"the destination of {name!r} must be three finite numbers and a finite yaw, not {_told(position)} and "
             f"{turn}",
             name,
         )
@@ -119,6 +155,10 @@ def checked_destination(scene: Scene, name: str, position: ArrayLike, turn: floa
 def _apart(first: Box, second: Box) -> bool:
     """Whether the upright boxes around both do not meet, seen from above."""
     return bool(np.any(np.abs(first.position - second.position)[:2] > (first.half_extents + second.half_extents)[:2]))
+
+
+def _told(position: ArrayLike) -> str:
+    return str(position.tolist() if isinstance(position, np.ndarray) else position)
 
 
 def _at(point: Array) -> str:

@@ -10,9 +10,9 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from motion.attempts import BRIEF, THOROUGH, Attempt, Effort
-from motion.errors import MotionError
+from motion.errors import InvalidGoal, MotionError
 from motion.failures import Failures
-from motion.goals import checked_arms, checked_destination, checked_target, heading
+from motion.goals import checked_arms, checked_destination, checked_lift, checked_start, checked_target, heading
 from motion.grasps import Grasp, grasp_candidates
 from motion.plans import Plan
 from motion.recipe import recipe
@@ -49,15 +49,15 @@ def plan_pick(
 
     Raises:
         UnknownBody: there is no such box.
-        InvalidGoal: it is fixed, covered, or too wide; or no hand is free.
+        InvalidGoal: it is fixed, covered, or too wide; no hand is free; or `arm`, `start` or `lift` make no sense.
         UnreachableTarget: no hand gets there; `reason` says why.
         GraspUnavailable: every grasp is obstructed by what stands around the box.
         PlanInCollision, PathNotFound, LimitViolation: grasps exist, but no free way to them was found.
     """
-    start = RobotState.home() if start is None else start
+    start = RobotState.home() if start is None else checked_start(start)
     rng = np.random.default_rng(0) if rng is None else rng
     checked_target(scene, target, start)
-    arms = checked_arms(arm, start, target)
+    arms, lift = checked_arms(arm, start, target), checked_lift(lift)
     failures = Failures(target)
     ways = Ways(scene, start, target, rng, lift, failures)
     for effort, grasps in _rounds(scene, target, arms, failures):
@@ -93,7 +93,7 @@ def plan_place(
         InvalidGoal: as for `plan_pick`, or the destination is not finite, occupied, unsupported or off the table.
         MotionError: everything else as for `plan_pick`.
     """
-    start = RobotState.home() if start is None else start
+    start = RobotState.home() if start is None else checked_start(start)
     rng = np.random.default_rng(0) if rng is None else rng
     arms = checked_arms(arm, start, target)
     box = checked_target(scene, target, start)
@@ -126,10 +126,13 @@ def plan_home(
         rng: source of all chance; a fixed seed by default.
 
     Raises:
+        InvalidGoal: there is no such arm.
         PlanInCollision, PathNotFound: there is no free way.
     """
-    start = RobotState.home() if start is None else start
+    start = RobotState.home() if start is None else checked_start(start)
     rng = np.random.default_rng(0) if rng is None else rng
+    if arm not in ("auto", *ARMS):
+        raise InvalidGoal(f"there is no arm {arm!r}; there are 'left', 'right' and 'auto'")
     if arm == "auto":
         distances = {side: float(np.max(np.abs(start.joints(side) - recipe().home[side]))) for side in ARMS}
         arm = max(ARMS, key=lambda side: distances[side])

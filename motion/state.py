@@ -37,6 +37,10 @@ class RobotState:
             if joints.shape != (7,) or not np.all(np.isfinite(joints)):
                 raise InvalidGoal(f"the {arm} arm has seven joints with finite angles, not {joints.tolist()}")
             object.__setattr__(self, arm, joints)
+        if set(self.widths) != set(ARMS) or not np.all(np.isfinite([float(width) for width in self.widths.values()])):
+            raise InvalidGoal(f"both grippers, left and right, have finite widths in metres, not {dict(self.widths)}")
+        if not set(self.held) <= set(ARMS):
+            raise InvalidGoal(f"the hands that hold something are left and right, not {', '.join(map(str, self.held))}")
         object.__setattr__(self, "widths", MappingProxyType({arm: float(self.widths[arm]) for arm in ARMS}))
         object.__setattr__(self, "held", MappingProxyType(dict(self.held)))
 

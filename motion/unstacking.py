@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import ArrayLike
 
-from motion.errors import GraspUnavailable, MotionError
+from motion.errors import GraspUnavailable, InvalidGoal, MotionError
 from motion.goals import checked_target
 from motion.outlines import overlap
 from motion.planner import plan_place
@@ -15,7 +15,7 @@ from motion.plans import Plan
 from motion.poses import Array
 from motion.scene import Box, Scene
 from motion.spots import free_spots
-from motion.state import RobotState
+from motion.state import ARMS, RobotState
 
 _ROOM = 0.10
 """Least distance between what is set aside and the stack, so that the hand gets at what is left; metres."""
@@ -75,6 +75,8 @@ def plan_unstacking(
     """
     start = RobotState.home() if start is None else start
     rng = np.random.default_rng(0) if rng is None else rng
+    if arm not in ("auto", *ARMS):
+        raise InvalidGoal(f"there is no arm {arm!r}; there are 'left', 'right' and 'auto'", target)
     above = stacked_on(scene, target, tuple(start.held.values()))
     checked_target(Scene(tuple(box for box in scene.boxes if box not in above)), target, start)
     plans: list[Plan] = []

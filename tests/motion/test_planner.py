@@ -126,6 +126,8 @@ def test_goals_that_make_no_sense_are_refused(tower):
     [
         ((np.nan, 0, 0.7), "finite"),
         ((0.6, 0.0), "three finite numbers"),
+        ("there", "three finite numbers.*there"),
+        (None, "three finite numbers"),
         ((0.58, 0.25, 0.736), "occupied by 't0'"),
         ((0.6, -0.2, 0.8), "hang 64 mm above 'table'.*z = 0.7360"),
         ((2.0, 0.0, 0.736), "off the table"),
@@ -136,6 +138,26 @@ def test_goals_that_make_no_sense_are_refused(tower):
 def test_destinations_that_make_no_sense_are_refused(tower, position, words):
     with pytest.raises(InvalidGoal, match=words):
         plan_place(tower, "a", position)
+
+
+@pytest.mark.parametrize("lift", [np.nan, np.inf, 0, -0.1, "high"])
+def test_lifts_that_make_no_sense_are_refused(one_block, lift):
+    with pytest.raises(InvalidGoal, match="above 0"):
+        plan_pick(one_block, "b", lift=lift)
+
+
+def test_starts_that_make_no_sense_are_refused(one_block):
+    home = RobotState.home()
+    with pytest.raises(InvalidGoal, match=r"right_e0 at 9.000 rad; its range"):
+        plan_pick(one_block, "b", start=RobotState(home.left, np.where(np.arange(7) == 2, 9.0, home.right)))
+    with pytest.raises(InvalidGoal, match="finite widths"):
+        RobotState(home.left, home.right, widths={"left": np.nan, "right": 0.05})
+    with pytest.raises(InvalidGoal, match="finite widths"):
+        RobotState(home.left, home.right, widths={"left": 0.05})
+    with pytest.raises(InvalidGoal, match="middle"):
+        RobotState(home.left, home.right, held={"middle": "b"})
+    with pytest.raises(InvalidGoal, match="'up'"):
+        plan_home(one_block, arm="up")
 
 
 def test_unreachable_blocks_say_why():
