@@ -1,4 +1,4 @@
-"""`python -m grounding train`: learns the grammar and the factors from a corpus and writes them."""
+"""`python -m grounding train`: learns the grammar and the factors from corpora and writes them."""
 
 from __future__ import annotations
 
@@ -8,16 +8,18 @@ import json
 import os
 import sys
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
 
 import models
 from grounding.commands import SUMMARIES
 from grounding.corpus.format import Corpus
+from grounding.corpus.generator import is_held_out
 from grounding.corpus.loading import load_corpus
+from grounding.corpus.making import make_corpus
 from grounding.corpus.treebank import build_variants, read_trees
-from grounding.corpus.wording import sampled_sentences
+from grounding.corpus.wording import sampled_sentences, sentences_of
 from grounding.factors import save_model
 from grounding.features import FAMILIES
 from grounding.geometry.layout import Layout
@@ -34,8 +36,13 @@ PENALTY = 0.3  # chosen on held-out sentences, see benchmarks/learning.py
 def add_arguments(subparsers: Any) -> None:
     """Add the parser of `train`."""
     parser = subparsers.add_parser("train", help=SUMMARIES["train"], description=SUMMARIES["train"])
-    parser.add_argument("--corpus", type=Path, metavar="FILE",
-                        help="annotated examples (default: the treebank that ships with the project)")  # fmt: skip
+    parser.add_argument("--corpus", type=Path, nargs="+", metavar="FILE",
+                        help="annotated examples, one corpus or several (default: the treebank that ships with the "
+                        "project)")  # fmt: skip
+    parser.add_argument("--generated", type=_count, default=0, metavar="N",
+                        help="so many generated examples in composed worlds are learned from as well")  # fmt: skip
+    parser.add_argument("--seed", type=_count, default=0, help="of what is generated")
+    parser.add_argument("--hold-out", action="store_true", help="leave out the wordings that are kept for measuring")
     parser.add_argument("--trees", type=Path, default=models.TREEBANK, metavar="DIR",
                         help="folder of *.trees files that the grammar is learned from, beside the corpus")  # fmt: skip
     parser.add_argument("--output", type=Path, default=models.ROOT, metavar="DIR",
@@ -51,20 +58,26 @@ def add_arguments(subparsers: Any) -> None:
 def run(args: argparse.Namespace) -> int:
     """Train, write, and print a summary as JSON."""
     start = time.perf_counter()
-    corpus = load_corpus(args.corpus)
-    trees = {str(tree): tree for tree in (*read_trees(args.trees), *(e.tree for e in corpus.examples))}
+    corpora = [load_corpus(path) for path in args.corpus or [None]]
+    if args.generated:
+        _say(f"{args.generated} examples are generated")
+        corpora.append(make_corpus(args.generated, args.seed))
+    corpora = [_learnable(corpus, args.hold_out) for corpus in corpora]
+    spoken = (sentence for corpus in corpora for e in corpus.examples for sentence in sentences_of(e.tree))
+    trees = {str(tree): tree for tree in (*read_trees(args.trees), *spoken)}
     args.output.mkdir(parents=True, exist_ok=True)
     _say(f"grammar from {len(trees)} trees and {args.sampled} sampled texts")
-    grammar = Grammar.learn((*trees.values(), *sampled_sentences(args.sampled, _SEED)))
+    sampled = [tree for tree in sampled_sentences(args.sampled, _SEED) if not (args.hold_out and is_held_out(tree))]
+    grammar = Grammar.learn((*trees.values(), *sampled))
     if args.grammar_only:
         _write_grammar(grammar, args.output)
         return _finish({"trees": len(trees), "sampled": args.sampled}, start, args.output)
-    examples = _examples(corpus)
+    examples = [example for corpus in corpora for example in _examples(corpus)]
     if args.variants:
         _say(f"{args.variants} variants of each tree, annotated")
         examples += _examples(build_variants(read_trees(args.trees), models.SCENES, args.variants))
     _say(f"factors from {len(examples)} examples")
-    model = learn(examples, args.penalty, _progress(), {"examples": len(examples), "corpus": _fingerprint(corpus)})
+    model = learn(examples, args.penalty, _progress(), {"examples": len(examples), "corpus": _fingerprint(corpora)})
     _write_grammar(grammar, args.output)
     save_model(model, args.output / models.WEIGHTS.name)
     counts = {"trees": len(trees), "sampled": args.sampled, "examples": len(examples), "features": model.feature_count}
@@ -115,6 +128,11 @@ def _say(text: str) -> None:
     print(text, file=sys.stderr, flush=True)
 
 
-def _fingerprint(corpus: Corpus) -> str:
-    text = "\n".join(f"{e.id} {e.outcome} {e.tree}" for e in corpus.examples)
+def _learnable(corpus: Corpus, hold_out: bool) -> Corpus:
+    """What factors learn from: not what needs the history of a dialogue, which features do not see."""
+    return corpus.select(e for e in corpus if not e.history and not (hold_out and is_held_out(e.tree)))
+
+
+def _fingerprint(corpora: Sequence[Corpus]) -> str:
+    text = "\n".join(f"{e.id} {e.outcome} {e.tree}" for corpus in corpora for e in corpus.examples)
     return hashlib.sha256(text.encode()).hexdigest()[:16]
