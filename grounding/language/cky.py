@@ -46,9 +46,9 @@ class Beam:
         span: no constituent has more words than this.
     """
 
-    width: float = 11.0
-    size: int = 12
-    slack: int = 3
+    width: float = 7.0
+    size: int = 6
+    slack: int = 1
     span: int = 40
 
 
@@ -93,6 +93,8 @@ def parse_forest(rules: Rules, sentence: Sequence[Sequence[Lexeme]], beam: Beam,
 def _fill(rules: Rules, sentence: Sequence[Sequence[Lexeme]], beam: Beam) -> list[list[Table]]:
     """All constituents, by first word and by the word after the last."""
     size = len(sentence)
+    words = [{reading.word.text for reading in readings} for readings in sentence]
+    begins, ends = rules.grammar.boundaries.openings(words, rules.grammar.words)
     complete: list[list[Table]] = [[{} for _ in range(size + 1)] for _ in range(size + 1)]
     # Unfinished phrases: those open to the right by first word, those open to the left (for one end) by start.
     rightwards: list[list[tuple[int, Table]]] = [[] for _ in range(size)]
@@ -109,17 +111,23 @@ def _fill(rules: Rules, sentence: Sequence[Sequence[Lexeme]], beam: Beam) -> lis
                     symbol = rules.symbol(Symbol(reading.word.tag, reading.label))
                     whole[symbol] = Node(reading.log_probability, [], reading.word)
             else:
-                _extend_right(rules, rightwards[start], complete, end, right)
-                _extend_left(rules, complete[start], leftwards, left)
+                # Where no phrase ends, only the last word can be added.
+                _extend_right(rules, rightwards[start][0 if ends[end - 1] else -1 :], complete, end, right)
+                if ends[end - 1]:
+                    _extend_left(rules, complete[start], leftwards, left)
                 if not right and not left:
                     continue
                 _prune(right, rules.state_rank, beam)
-                _prune(left, rules.state_rank, beam)
-                for state, node in [*right.items(), *left.items()]:
-                    _close(rules, state, node, whole, left, ending[start])
-                _prune(whole, rules.symbol_rank, beam)
-            _start(rules, whole, right, left, ending[start])
-            _prune(whole, rules.symbol_rank, beam, beam.slack)
+                if ends[end - 1]:
+                    _prune(left, rules.state_rank, beam)
+                    for state, node in [*right.items(), *left.items()]:
+                        _close(rules, state, node, whole, left, ending[start])
+                    if not begins[start]:
+                        whole.clear()
+                    _prune(whole, rules.symbol_rank, beam)
+            if whole:
+                _start(rules, whole, right, left, ending[start])
+                _prune(whole, rules.symbol_rank, beam, beam.slack)
             _prune(right, rules.state_rank, beam, beam.slack)
             _prune(left, rules.state_rank, beam, beam.slack)
             if right and end < size:

@@ -17,12 +17,13 @@ from pathlib import Path
 from typing import Any
 
 from grounding.errors import ModelError
+from grounding.language.boundaries import Boundaries
 from grounding.language.events import STOP, Child, Head, tree_events
 from grounding.language.tags import TagModel
 from grounding.language.tree import Phrase
 
 _FORMAT = "grounding grammar"
-_VERSION = 1
+_VERSION = 2
 
 
 @dataclass(frozen=True)
@@ -33,11 +34,13 @@ class Grammar:
         words: tag counts of the words.
         heads: how often each head was seen.
         children: how often each child was seen.
+        boundaries: which words began and ended phrases.
     """
 
     words: TagModel
     heads: Mapping[Head, int]
     children: Mapping[Child, int]
+    boundaries: Boundaries
 
     @classmethod
     def learn(cls, trees: Iterable[Phrase]) -> Grammar:
@@ -56,7 +59,9 @@ class Grammar:
                     heads[event] += 1
                 else:
                     children[event] += 1
-        return cls(words, dict(sorted(heads.items())), dict(sorted(children.items())))
+        return cls(
+            words, dict(sorted(heads.items())), dict(sorted(children.items())), Boundaries.learn(treebank, words)
+        )
 
     def to_json(self) -> str:
         """The grammar as text: the same bytes for the same counts."""
@@ -64,6 +69,8 @@ class Grammar:
             "words": {word: dict(row) for word, row in self.words.counts.items()},
             "heads": [[*event, count] for event, count in self.heads.items()],
             "children": [[*event, count] for event, count in self.children.items()],
+            "begins": self.boundaries.begins,
+            "ends": self.boundaries.ends,
         }
         body = _body(content)
         opening = json.dumps({"format": _FORMAT, "version": _VERSION, "sha256": _digest(body)})
@@ -83,6 +90,7 @@ class Grammar:
                 TagModel(words),
                 {Head(*event): _count(n) for *event, n in content["heads"]},
                 {Child(*event): _count(n) for *event, n in content["children"]},
+                Boundaries(_neighbours(content["begins"]), _neighbours(content["ends"])),
             )
         except (KeyError, TypeError, ValueError, AttributeError) as error:
             raise ModelError(f"the grammar's content is not as expected: {error!r}") from error
@@ -167,6 +175,16 @@ def _count(value: Any) -> int:
     if not isinstance(value, int) or isinstance(value, bool) or value < 1:
         raise ValueError(f"expected a count of at least 1 and found {value!r}")
     return value
+
+
+def _neighbours(table: Any) -> dict[str, dict[str, tuple[int, int]]]:
+    return {word: {kind: _share(*pair) for kind, pair in row.items()} for word, row in table.items()}
+
+
+def _share(seen: Any, marked: Any) -> tuple[int, int]:
+    if not isinstance(marked, int) or isinstance(marked, bool) or not 0 <= marked <= _count(seen):
+        raise ValueError(f"expected a count of at most {seen} and found {marked!r}")
+    return seen, marked
 
 
 def _reaches(chains: set[tuple[str, str]], start: str, goal: str) -> bool:

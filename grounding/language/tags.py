@@ -94,6 +94,14 @@ class TagModel:
         """Whether the treebank has the word."""
         return word in self.counts
 
+    def usual_tag(self, word: str) -> str:
+        """The tag that a word of the treebank has most often; "" for other words."""
+        return self._usual_tags.get(word, "")
+
+    @cached_property
+    def _usual_tags(self) -> Mapping[str, str]:
+        return {word: max(row, key=lambda tag: (row[tag], tag)) for word, row in self.counts.items()}
+
     def is_rare(self, word: str, tag: str) -> bool:
         """Whether the word, with this tag, is treated as any unknown word of the tag would be."""
         return self.counts.get(word, {}).get(tag, 0) < RARE

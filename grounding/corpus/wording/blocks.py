@@ -200,7 +200,7 @@ isolated 0.6 : isolated|loose|adjacent|lone
 base 8 : (NP <bases>)
 where 8 : (NP (NP <bases>) <where>)
 that 2 : (NP (NP <bases>) <that.are>)
-two 0.7 @deep : (NP <block.brief> and <block.brief>)
+two 0.5 @deep : (NP <block.brief> and <block.brief>)
 near.person 0.7 @viewer : (NP (NP the <number> closest|nearest <color>?.5 <nouns>) (PP to <person>))
 everything 0.4 : (NP (NP everything) <where>)
 all.of 0.6 @deep : (NP (NP all/DT) (PP of <blocks>))

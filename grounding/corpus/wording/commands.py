@@ -86,6 +86,7 @@ add 0.5 : (VP add/VB <block> <destination>)
 swap 0.2 : (VP use/VB <block> (S (VP to/TO (VP make|form <set.new>))))
 away 0.3 : (VP move|push|take <block> (PRT away/RP))
 create 0.5 @arrangement : (VP make|form|create/VB <set.new> (PP with|from|by <block.brief>))
+from.to 1.2 : (VP move|take|shift <block.brief> (PP from <reference>) <destination.pp>)
 
 [taking]
 take 8 : take

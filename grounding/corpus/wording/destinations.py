@@ -127,6 +127,8 @@ in.line 2 : (PP in (NP line/NN) with <reference>)
 touching 2 : (PP touching <reference>)
 closest 0.5 : <closest.pp>
 joined 0.7 : (PP <relation> and <relation>)
+touching.alone 0.8 : (PP touching)
+nearly.touching 0.4 : (PP nearly|almost|just/RB touching)
 
 [until]
 reaches 3 : (SBAR until (S (NP it) (VP reaches/VBZ <target.np>)))

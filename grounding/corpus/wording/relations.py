@@ -36,6 +36,9 @@ others 0.6 : (NP the|two other <number>?.3 <color>?.6 <nouns>)
 sets 1 @arrangement : (NP the <number>?.6 rows|columns|towers|stacks|groups|clusters)
 same.kind 0.5 : (NP <bases>)
 persons 0.3 @viewer : (NP (NP you|me) and <reference>)
+number.and.one 1.5 : (NP (NP <number> <color>?.8 <nouns>) and (NP a|one/CD <color>?.8 <noun>))
+one.and.number 0.5 : (NP (NP a|one/CD <color>?.8 <noun>) and (NP <number> <color>?.8 <nouns>))
+two.indefinite 2 : (NP (NP a <color>?.8 <noun>) and (NP a|another <color>?.8 <noun>))
 
 [of.direction]
 left 8 : (PP to (NP (NP the left|right/NN) (PP of <reference>)))

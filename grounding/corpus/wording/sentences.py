@@ -22,7 +22,7 @@ polite 4 : (VP please <pick.vp>)
 modal 2.5 : (S <modal> (NP you) <pick.vp>)
 wish 3 @viewer : <wish.pick>
 adverb 2 : (VP <adverb> <pick.vp>)
-last.please 1 : (VP <pick.vp> please)
+last.please 1.5 : (VP <pick.vp> please)
 look.and 1 : (VP (VP look (PP at <looked.at>)) and <pick.vp>)
 locate.and 0.7 : (VP locate|find/VB and pick (PRT up/RP) <block>)
 there.is.take 4 @several : <there.is> <pick.follow>
@@ -64,7 +64,7 @@ polite 2.5 : (VP please <place.vp>)
 modal 1 : (S <modal> (NP you) <place.vp>)
 wish 1 @viewer : <wish.place>
 adverb 1.5 : (VP <adverb> <place.vp>)
-last.please 0.5 : (VP <place.vp> please)
+last.please 1 : (VP <place.vp> please)
 take.then.put 4 @several @history : (VP <taking> <block>) <put.follow>
 there.is.move 4 @several @history : <there.is> <put.follow>
 there.is.take 3 @several @history : <there.is> <take.follow>
@@ -111,7 +111,6 @@ blocks 2 : <blocks>
 set 1 @arrangement : <set>
 one.and.then 0.6 @several : <block.brief> <block.restated>
 there.is 1.5 : <there.is>
-please 0.4 : (NP <block.brief> please)
 
 [reaching]
 over 2 : (PP over|across|past|to <blocks>)

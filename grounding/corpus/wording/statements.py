@@ -43,6 +43,9 @@ forms.at 0.5 @arrangement : (S <mover> (VP forms <set.new> <location>))
 touches 0.3 : (S <mover> (VP moves (S (VP to/TO (VP touch <reference>)))))
 of.those 1 @arrangement : (S (PP of <plural.front>) <choice.np> (VP <moves> <destination>))
 bare.to 0.5 @loose : (NP <block.brief> <onto>)
+is.moved.until 0.7 : (S <mover> (VP is (VP moved|shifted|pushed/VBN <path> <until>)))
+from.to 1.5 : (S <mover> (VP <moves> (PP from <reference>) <destination.pp>))
+is.taken 0.5 @stacked : (S <mover> (VP is (VP taken|removed/VBN (PP from|off <stack>))))
 
 [choice.np]
 choice 1 @arrangement : <block.choice>
@@ -97,6 +100,6 @@ are.to 0.3 @viewer : (S (NP you) (VP are (S (VP to/TO <pick.vp>))))
 [wish.place]
 want.you 3 @viewer : (S (NP i) (VP want/VBP (S (NP you) (VP to/TO <place.vp>))))
 would.like 2 @viewer : (S (NP i) (VP would (VP like (S (NP you) (VP to/TO <place.vp>)))))
-want.block 1 @viewer : (S (NP i) (VP want/VBP <block.brief> <destination>))
+want.block 0.4 @viewer : (S (NP i) (VP want/VBP <block.brief> <destination>))
 you.should 0.6 @viewer : (S (NP you) (VP should|must|will <place.vp>))
 """
