@@ -7,14 +7,19 @@ from collections.abc import Iterable, Sequence
 from grounding.describing import name_objects, too_few
 from grounding.destinations import find_destination
 from grounding.geometry.layout import Layout
+from grounding.graded.belief import GradedBelief
 from grounding.inference import Hypothesis, aligned
 from grounding.language.lexicon import meanings
 from grounding.language.tree import Phrase
+from grounding.pooling import Pooled, pool
 from grounding.readings import Reading
 from grounding.result import Destination, GroundedAction, Grounding, PhraseGrounding
 from grounding.symbols import Action, Symbol, symbol_key
 from grounding.unanswered import unanswered
 
+ANSWERED = 0.4  # an answer is given when it is so likely
+MARGIN = 1.4  # and so many times likelier than the next one
+CREDIBLE = 0.1  # graded readings that agree less with the world tell nothing: then the factors alone decide
 CONFIDENT = 0.62  # an answer is given when it is clearly likelier than all others together
 _PAST = frozenset(("was", "were", "been"))
 _NEGATIONS = frozenset(("not", "n't", "never", "don't", "dont", "without", "except"))
@@ -23,16 +28,25 @@ _MOST = 5
 _NOUN_TAGS = ("NN", "NNS", "NNP", "NNPS")
 
 
-def decide(text: str, found: Sequence[Reading], layout: Layout, unknown_words: Iterable[str] = ()) -> Grounding:
+def decide(
+    text: str,
+    found: Sequence[Reading],
+    layout: Layout,
+    unknown_words: Iterable[str] = (),
+    graded: GradedBelief | None = None,
+) -> Grounding:
     """Weigh the readings.
 
     Args:
         text: the instruction.
-        found: its readings, the likeliest first.
+        found: its readings by the factors, the likeliest first.
         layout: the world.
         unknown_words: that the grammar does not know.
+        graded: its graded readings, with which the factors' belief is pooled, see `grounding.pooling`.
     """
     unknown = tuple(unknown_words)
+    if graded is not None and graded.options and graded.truth >= CREDIBLE:
+        return _pooled(text, found, layout, unknown, graded)
     refusal = _beyond(found[0].inference.tree)
     if refusal is not None:
         return Grounding(text, "not_understood", (), (), None, refusal, unknown, 0.0, _phrases(found[0], {}))
@@ -69,6 +83,64 @@ def decide(text: str, found: Sequence[Reading], layout: Layout, unknown_words: I
     count = len(alternatives)
     why = f"{len(ordered)} readings are possible" if count > 1 else "the only reading is not sure enough"
     return Grounding(text, "ambiguous", (), alternatives, question, why, unknown, 0.0, _phrases(bearers[best], belief))
+
+
+def _pooled(
+    text: str, found: Sequence[Reading], layout: Layout, unknown: tuple[str, ...], graded: GradedBelief
+) -> Grounding:
+    """Weigh what the factors and the graded readings believe."""
+    tree = found[0].inference.tree
+    refusal = _forbidden(tree)
+    if refusal is not None:
+        return Grounding(text, "not_understood", (), (), None, refusal, unknown, 0.0, _phrases(found[0], {}))
+    belief: dict[Action, float] = {}
+    bearers: dict[Action, Reading] = {}
+    for reading in found:
+        for action in reading.actions:
+            belief[action] = belief.get(action, 0.0) + reading.weight / len(reading.actions)
+            bearers.setdefault(action, reading)
+    factors: dict[tuple[str, tuple[str, ...]], float] = {}
+    for action, share in belief.items():
+        factors[action.kind, action.objects] = factors.get((action.kind, action.objects), 0.0) + share
+    options = pool(factors, graded.options)
+    actions = [_action_of(option, belief, graded, layout) for option in options[: _MOST + 1]]
+    best, margin = options[0], options[0].probability / max(options[1].probability if len(options) > 1 else 0.0, 1e-9)
+    bearer = next((r for a, r in bearers.items() if a.objects == best.objects), found[0])
+    phrases = _phrases(bearer, belief)
+    if best.probability >= ANSWERED and margin >= MARGIN:
+        chosen = actions[0]
+        others = tuple(action for action in actions[1:] if action.probability >= _LISTED)
+        if chosen.action == "place" and chosen.destination is None:
+            why = "where to is open: say where to put it, such as on, beside or behind something"
+            return Grounding(text, "ambiguous", (), (chosen, *others), "Where shall I put it?", why, unknown, 0.0, phrases)
+        return Grounding(text, "grounded", (chosen,), others, None, "", unknown, 0.0, phrases)
+    listed = tuple(action for action in actions[:_MOST] if action.probability >= _LISTED)
+    question = _question([Action(a.action, a.objects) for a in listed], layout)
+    why = f"{len(listed)} readings are possible" if len(listed) > 1 else "the only reading is not sure enough"
+    return Grounding(text, "ambiguous", (), listed, question, why, unknown, 0.0, phrases)
+
+
+def _action_of(option: Pooled, belief: dict[Action, float], graded: GradedBelief, layout: Layout) -> GroundedAction:
+    kind = option.kinds[0][0]
+    destination = None
+    if kind == "place":
+        destination = graded.destination(option.objects)
+        if destination is None:
+            asked = [a for a in belief if a.kind == "place" and a.objects == option.objects]
+            destination = next((d for a in asked if (d := _destination(a, layout)) is not None), None)
+    return GroundedAction(kind, option.objects, option.probability, destination)
+
+
+def _forbidden(tree: Phrase) -> str | None:
+    """What an instruction says against acting."""
+    for phrase in tree.preorder():
+        if phrase.tag in ("VP", "S", "FRAG"):
+            texts = [word.text for word in phrase.words]
+            if any(text in ("not", "n't", "never", "don't", "dont") for text in texts) and not (
+                {"is", "are", "'s", "does"} & set(texts)
+            ):
+                return f"{phrase.text!r} tells me what not to do; say what to do"
+    return None
 
 
 def _beyond(tree: Phrase) -> str | None:

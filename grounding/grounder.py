@@ -11,14 +11,15 @@ import models
 from grounding.dialogue import decide
 from grounding.factors import load_model
 from grounding.geometry.layout import Layout
+from grounding.graded.belief import believe
+from grounding.graded.scene import Scene
 from grounding.inference import Adcg
 from grounding.language.parser import Parser
 from grounding.readings import readings
 from grounding.result import Grounding
 from grounding.world import World
 
-KEPT_LAYOUTS = 16
-NEGLIGIBLE = 1e-3  # parses less likely than the best by this factor are not grounded
+KEPT_SCENES = 16
 
 
 class Grounder:
@@ -27,14 +28,16 @@ class Grounder:
     Args:
         parser: from text to phrase trees.
         inference: from phrase trees to symbols.
-        parses: how many parses of a text are kept and grounded; the world decides between them.
+        parses: how many parses of a text are kept and read; the world decides between them.
+        inferred: how many of those that agree best with the world are grounded by the factors.
     """
 
-    def __init__(self, parser: Parser, inference: Adcg, parses: int = 4) -> None:
+    def __init__(self, parser: Parser, inference: Adcg, parses: int = 4, inferred: int = 1) -> None:
         self.parser = parser
         self.inference = inference
         self.parses = parses
-        self._layouts: OrderedDict[int, tuple[World, Layout]] = OrderedDict()
+        self.inferred = inferred
+        self._scenes: OrderedDict[int, tuple[World, Scene]] = OrderedDict()
 
     @classmethod
     def load(cls, grammar: Path = models.GRAMMAR, weights: Path = models.WEIGHTS) -> Grounder:
@@ -58,21 +61,26 @@ class Grounder:
         """
         start = time.perf_counter()
         parses = self.parser.parse(text, self.parses)
-        layout = self.layout(world)
+        scene = self.scene(world)
+        graded = believe(parses, scene, history)
+        kept = graded.parses()[: self.inferred] or range(min(len(parses), self.inferred))
+        likely = [parses[place] for place in kept]
         memory: dict[object, list] = {}
-        likely = [parse for parse in parses if parse.probability >= NEGLIGIBLE * parses[0].probability]
-        inferred = [(self.inference.infer(parse.tree, layout, memory), parse.probability) for parse in likely]
-        unknown = parses[0].unknown_words
-        result = decide(text, readings(inferred, layout), layout, unknown)
+        inferred = [(self.inference.infer(parse.tree, scene.layout, memory), parse.probability) for parse in likely]
+        result = decide(text, readings(inferred, scene.layout), scene.layout, parses[0].unknown_words, graded)
         return result.timed(1000 * (time.perf_counter() - start))
 
     def layout(self, world: World) -> Layout:
         """The world, measured; the latest ones are kept."""
+        return self.scene(world).layout
+
+    def scene(self, world: World) -> Scene:
+        """The world, measured for graded readings."""
         key = id(world)
-        if key in self._layouts:
-            self._layouts.move_to_end(key)
-            return self._layouts[key][1]
-        self._layouts[key] = (world, Layout(world))
-        if len(self._layouts) > KEPT_LAYOUTS:
-            self._layouts.popitem(last=False)
-        return self._layouts[key][1]
+        if key in self._scenes:
+            self._scenes.move_to_end(key)
+            return self._scenes[key][1]
+        self._scenes[key] = (world, Scene(Layout(world)))
+        if len(self._scenes) > KEPT_SCENES:
+            self._scenes.popitem(last=False)
+        return self._scenes[key][1]

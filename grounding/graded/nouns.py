@@ -9,6 +9,7 @@ from grounding.language.lexicon import is_plural, is_universal, meanings, size_o
 from grounding.language.tree import Phrase, Word
 from grounding.symbols import LAST, Cardinal, ObjectColor, Ordinal
 
+_KEPT = "graded noun"
 _INDEFINITE = frozenset("a an some any".split())
 _SKIPPED = frozenset("the that this these those of 's very really all and or is please your my its his her".split())
 
@@ -36,6 +37,7 @@ class Noun:
         definite: False after "a", "some".
         universal: "all", "both".
         unknown: words that say nothing here.
+        strange: whether the thing itself is named by a word that nobody knows.
         modifiers: phrases after the head.
         conjoined: further noun phrases joined with "and".
         text: its words.
@@ -59,13 +61,22 @@ class Noun:
     definite: bool = True
     universal: bool = False
     unknown: tuple[str, ...] = ()
+    strange: bool = False
     modifiers: tuple[Phrase, ...] = ()
     conjoined: tuple[Phrase, ...] = ()
     text: str = ""
 
 
 def read_noun(phrase: Phrase) -> Noun:
-    """Read a noun phrase; nested heads are read as one."""
+    """Read a noun phrase; nested heads are read as one. What was read is kept with the phrase, which is immutable."""
+    kept: dict[str, object] = phrase.__dict__
+    noun = kept.get(_KEPT)
+    if not isinstance(noun, Noun):
+        noun = kept[_KEPT] = _read(phrase)
+    return noun
+
+
+def _read(phrase: Phrase) -> Noun:
     inner = [child for child in phrase.phrases if child.tag == "NP"]
     conjunction = any(word.tag == "CC" or word.text in ("and", "or") for word in phrase.words)
     if inner and conjunction and len(inner) > 1:
@@ -133,6 +144,7 @@ def _merged(head: Noun, own: Noun) -> Noun:
         universal=head.universal or own.universal,
         head=own.head if head.head == "other" else head.head,
         kinds=head.kinds or own.kinds,
+        strange=head.strange and own.head == "other",
     )
 
 
@@ -148,6 +160,7 @@ class _Reading:
         self.kinds: tuple[str, ...] = ()
         self.heads: list[str] = []
         self.stacked = False
+        self.named_strangely = False
         self.behind: list[Word] = []
 
     def take(self, word: Word, last: bool) -> None:
@@ -184,13 +197,13 @@ class _Reading:
         if size_order(text):
             self.said["size"] = size_order(text)
             return
-        self._take_noun(word)
+        self._take_noun(word, last)
 
     @property
     def said_more(self) -> bool:
         return bool(self.said or self.colors or self.ordinals or self.directions or self.unknown) or True
 
-    def _take_noun(self, word: Word) -> None:
+    def _take_noun(self, word: Word, last: bool = False) -> None:
         text = word.text
         if w.is_lone(text):
             self.said["lone"] = True
@@ -250,6 +263,7 @@ class _Reading:
             return
         if text not in _SKIPPED and word.tag not in ("DT", "PDT", "IN", "TO", "CC", "RB", "PRP$", "POS"):
             self.unknown.append(text)
+            self.named_strangely = word.tag in ("NN", "NNS", "NNP") and last
 
     def noun(self, text: str) -> Noun:
         said = dict(self.said)
@@ -274,7 +288,8 @@ class _Reading:
             head, kinds = "container", ("tower",)
             said["plural"] = False
         modifiers = (Phrase("PP", tuple(self.behind)),) if self.behind else ()
-        return Noun(head=head, kinds=kinds, modifiers=modifiers, colors=tuple(self.colors), ordinals=tuple(self.ordinals),
+        return Noun(head=head, kinds=kinds, modifiers=modifiers,
+                    strange=self.named_strangely and not self.heads, colors=tuple(self.colors), ordinals=tuple(self.ordinals),
                     directions=tuple(self.directions), unknown=tuple(self.unknown), text=text, **said)  # type: ignore[arg-type]  # fmt: skip
 
     def _head(self) -> str:

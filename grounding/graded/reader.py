@@ -17,6 +17,7 @@ from grounding.symbols import Cardinal, Ordinal
 from grounding.world import Array
 
 FLOOR = 0.02  # a restriction that does not hold leaves so much: words and eyes err
+STRANGE = 0.08  # a thing called by an unknown name is hardly one of those that are there
 BURIED = 0.1  # what carries something is less likely spoken of
 SETS = 5  # of the sets that a modifier may mean, so many are tried
 _ALIASES = {"blue": ("purple",), "purple": ("blue",), "orange": ("red", "brown"), "red": ("orange", "pink"),
@@ -124,7 +125,7 @@ class Reader:
         scene = self.scene
         if noun.head == "other" and not (noun.modifiers or noun.colors):
             return Value("nothing", np.zeros(scene.n))
-        base = self._base(noun)
+        base = self._base(noun) * (STRANGE if noun.strange else 1.0)
         return self._select(*self._modified(noun, base))
 
     def _modified(self, noun: Noun, base: Array) -> tuple[Noun, Array, list[Effect]]:
@@ -147,8 +148,11 @@ class Reader:
         in_stack = any(isinstance(e, Membership) and any((m & scene.stacked).all() for m, _ in e.sets) for e in effects)
         memberships: list[Membership] = []
         ranks: list[Rank] = []
+        preference = np.ones(scene.n)
         for effect in effects:
-            if isinstance(effect, Restriction):
+            if isinstance(effect, Restriction) and effect.preferred:
+                preference = preference * (FLOOR + (1 - FLOOR) * effect.weights)
+            elif isinstance(effect, Restriction):
                 weights = weights * (FLOOR + (1 - FLOOR) * _counted(effect, noun))
                 if effect.order is not None and noun.ordinals:
                     ranks.append(Rank(effect.order, None, 0.3 * scene.edge))
@@ -178,6 +182,8 @@ class Reader:
                 found += [(m, s * chance) for m, s in self._several(noun, pool, ranks)]
             total += chance * picked[0]
         total = total / max(1.0, sum(c for _, c in choices))
+        ranking = bool(ranks or noun.ordinals or noun.distance or noun.directions)
+        total = total * preference ** (0.15 if ranking else 1.0)
         if noun.plural:
             found = sorted(found, key=lambda item: -item[1])[:SETS]
             pool = np.zeros(scene.n)
@@ -324,12 +330,15 @@ class Reader:
             number = number or _hyphenated(noun.text)
         if colors:
             stuff = self._base(replace(noun, colors=colors)) > 0.5
-        found = sets.arranged(scene, noun.kinds, stuff, number if not noun.plural else None)
+        wanted = number if not noun.plural else None
+        found = sets.arranged(scene, noun.kinds, stuff, wanted)
+        exists = sets.existence(found, wanted, noun.kinds)
         lines = self._counted_lines(noun, stuff) if number is None else []
         found = self._modified_sets(noun, found, rest)
         if lines:
             plain = replace(noun, ordinals=(), directions=(), middle=False)
             found = [*self._modified_sets(plain, lines, rest), *((mask, 0.3 * weight) for mask, weight in found)]
+        found = [(mask, weight * exists) for mask, weight in found]
         pool = np.zeros(scene.n)
         total = sum(weight for _, weight in found)
         for mask, weight in found:
@@ -740,7 +749,7 @@ class Reader:
             side = np.abs(offset[:, 0] * ahead[1] - offset[:, 1] * ahead[0])
             centred = np.exp(-0.5 * (side / (2.0 * scene.edge)) ** 2)
             near = np.exp(-(along - along.min(initial=np.inf)) / (4 * scene.edge)) if scene.n else along
-            return [Restriction(np.asarray(centred * near))]
+            return [Restriction(np.asarray(centred * near), preferred=True)]
         place = self._make_place(list(names), agent, False, False, True)
         return [Restriction(self._in_place(place, np.ones(scene.n)))]
 

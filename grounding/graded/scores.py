@@ -39,7 +39,7 @@ def ranked(weights: Array, key: Array, index: int, noise: float) -> Array:
     beyond = logistic((key[None, :] - key[:, None]) / noise) * weights[None, :]
     np.fill_diagonal(beyond, 0.0)
     if index == 1:
-        return np.asarray(weights * np.exp(np.log1p(-np.minimum(beyond, 1 - 1e-9)).sum(axis=1)))
+        return np.asarray(weights * np.prod(1.0 - beyond, axis=1))
     counts = np.zeros((n, index))
     counts[:, 0] = 1.0
     for j in range(n):

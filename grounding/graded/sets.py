@@ -63,6 +63,14 @@ def arranged(scene: Scene, kinds: tuple[str, ...], wanted: np.ndarray, number: i
     return ordered[:_MOST]
 
 
+def existence(found: Sets, number: int | None, kinds: tuple[str, ...]) -> float:
+    """How well what is there agrees with the number that was said: people miscount heaps, but not rows of five."""
+    if number is None or not found:
+        return 1.0
+    missing = min(abs(int(mask.sum()) - number) for mask, _ in found)
+    return math.exp(-(0.7 if "group" in kinds else 2.6) * missing)
+
+
 def bands(scene: Scene, wanted: np.ndarray, kind: str) -> Sets:
     """Rows or columns as people see them: bands across the whole table, set apart by gaps."""
     found: Sets = []

@@ -64,11 +64,13 @@ class Restriction:
 
     Attributes:
         weights: the degree.
+        preferred: whether it only prefers: who is ranked or counted does not depend on it ("in front of you").
         order: how an ordinal of the noun counts along it ("the second block below the tower"), larger first, or None.
     """
 
     weights: Array
     order: Array | None = None
+    preferred: bool = False
 
 
 @dataclass(frozen=True, eq=False)
