@@ -70,7 +70,7 @@ class BasePhrases:
             return Meaning("nothing", frozenset(labels(said)))
         if "table" in said.types:
             return self._table(phrase, said)
-        if len(said.relations) == 2 and "far" in said.relations:
+        if len(said.relations) == 2 and "far" in said.relations and said.place not in ("corner", "quadrant"):
             said.relations.remove("far")  # "the far left" is the left, far out
         said.relations = list(dict.fromkeys(said.relations))
         corner = _corner(said.relations)

@@ -336,6 +336,8 @@ class Clauses:
             return self.act(phrase, said.verb, topic, said.parts)
         if done is not None:
             raise NotAnnotatable(f"{phrase.text!r}: two commands")
+        if topic is not None and not topic.chosen:
+            raise NotAnnotatable(f"{phrase.text!r}: what was said first is not true, or of several")
         if topic is not None and topic.chosen and topic.sort in ("many", "container"):
             frame = replace(topic, preposition="of", symbols=passed(topic))
             chosen = self.choice(phrase, target, frame) if target.sort == "one" else target

@@ -36,8 +36,10 @@ class Destinations:
             raise NotAnnotatable(f"VP {phrase.text!r}: no destination")
         found = [self._region(phrase, part, moved) for part in parts]
         first = found[0]
-        if len(found) == 1 and len(first) > 1 and parts[0].region is not None and not parts[0].regions:
+        if len(found) == 1 and _alternative(parts[0]):
             return first, frozenset()  # one of them, whichever
+        if any(_alternative(part) for part in parts):
+            raise NotAnnotatable(f"VP {phrase.text!r}: it is open which of several places is meant")
         every = [region for regions in found for region in regions]
         every = list(dict.fromkeys(every))
         return [every[0]], frozenset(every[1:])
@@ -75,6 +77,17 @@ class Destinations:
         if not table:
             raise NotAnnotatable(f"VP {phrase.text!r}: the destination is not covered")
         return [Region(name, "object", table) for name in names]
+
+
+def _alternative(place: Meaning) -> bool:
+    """Whether a place is that of one of several things."""
+    region = place.region
+    return (
+        region is not None
+        and region.kind == "object"
+        and len(region.objects) > 1
+        and (region.relation != "between" and not place.regions)
+    )
 
 
 def _parts(place: Meaning) -> tuple[Meaning, ...]:

@@ -14,6 +14,7 @@ from grounding.symbols import Container, ContainerAttribute, ObjectAttribute, Re
 
 __all__ = ["MOST_REFERENCES", "NounPhrases"]
 _RESTRICTING = ("half", "part", "section", "area", "portion", "region", "quadrant", "zone")
+_SIDES = ("left", "right", "front", "back")
 _SILENT = ("view", "table", "empty")
 
 
@@ -106,6 +107,8 @@ class NounPhrases:
     def _one(self, phrase: Phrase, head: Meaning, modifier: Meaning) -> Meaning:
         new, kind, upright = self._narrowed(phrase, head, modifier)
         chosen = self._chosen(phrase, new, modifier, kind, upright)
+        if modifier.sort == "direction" and head.relation is None:
+            self._lies_there(phrase, chosen, modifier)
         member = bool(kind) and modifier.sort == "region"
         said = None if new.nearest_to or new.corner else head.relation if member else new.relation
         attribute = ObjectAttribute(head.object_type, head.color, said, new.index or (1 if said else None))
@@ -116,6 +119,14 @@ class NounPhrases:
             symbols = found if chosen else new.carried | {attribute}
         return replace(new, symbols=symbols, chosen=chosen, unclear=False, reference=self.layout.names(chosen),
                        reference_kind="object")  # fmt: skip
+
+    def _lies_there(self, phrase: Phrase, mask: int, place: Meaning) -> None:
+        """Refuse what is clearly on the other half: the leftmost of all is not "on the left" there."""
+        direction = {"top": "back", "bottom": "front"}.get(str(place.relation), str(place.relation))
+        if place.preposition not in ("on", "at", "in", "to") or place.index or direction not in _SIDES or not mask:
+            return
+        if float(self.layout.extent(mask, direction).mean()) < self.select.middle(direction) - 0.03:
+            raise NotAnnotatable(f"{phrase.text!r}: it is on the other side")
 
     def _narrowed(self, phrase: Phrase, head: Meaning, modifier: Meaning) -> tuple[Meaning, str, bool]:
         """The head with a smaller pool or a way to choose; of which kind of arrangement; whether up is up there."""
@@ -374,6 +385,8 @@ class NounPhrases:
         elif modifier.sort not in _SILENT:
             raise NotAnnotatable(f"{phrase.text!r}: a container with a {modifier.sort} is not covered")
         chosen = self.select.arrangement(phrase, cands, new)
+        if chosen is not None and modifier.sort == "direction":
+            self._lies_there(phrase, chosen[1], modifier)
         regions = frozenset(s for s in carried if isinstance(s, Region))
         if chosen is None:
             return replace(new, symbols=frozenset(carried), arrangements=tuple(cands), number=number, chosen=0, pool=0,

@@ -80,7 +80,13 @@ class Prepositions:
         if not {"and", "then", "but"} & set(texts) and any(p.words for p in phrase.phrases if p.tag != "PP"):
             raise self._refusal(phrase)
         symbols = first.symbols | second.symbols
-        if first.relation and first.place == "path" and second.sort == "region" and second.region:
+        if (
+            first.relation
+            and first.place == "path"
+            and not first.measured
+            and second.sort == "region"
+            and second.region
+        ):
             relation = str(first.relation)
             region = Region(relation, second.region.kind, second.region.objects)
             return replace(second, symbols=second.symbols | {region}, regions=(region, *second.regions))
@@ -165,9 +171,9 @@ class Prepositions:
         if preposition in _COPYING and child.sort not in ("empty", "action"):
             if child.sort == "speaker" and preposition not in ("to", "from"):
                 raise self._refusal(phrase)
-            said = "on" if preposition in ("toward", "towards", "along", "over to", "over") else preposition
+            said = "on" if preposition in ("toward", "towards", "along", "over") else preposition
             said = {"off": "from", "off of": "from", "within": "in", "inside": "in", "among": "in", "out of": "of",
-                    "into": "in", "onto": "on"}.get(said, said)  # fmt: skip
+                    "over to": "to", "into": "in", "onto": "on"}.get(said, said)  # fmt: skip
             return replace(child, symbols=passed(child), preposition=said)
         raise self._refusal(phrase)
 
@@ -272,6 +278,8 @@ class Prepositions:
 
     def _existential(self, phrase: Phrase, child: Meaning, relation: str, preposition: str, contact: bool) -> Meaning:
         """Behind a green block: behind one of those that are possible; touching two: touching so many of them."""
+        if child.sort == "many" and child.definite:
+            raise NotAnnotatable(f"PP {phrase.text!r}: there are not so many")
         if child.sort not in ("one", "many") or not 0 < child.pool.bit_count() <= MOST_REFERENCES:
             raise NotAnnotatable(f"PP {phrase.text!r}: its reference is not determined")
         number = 1 if child.sort == "one" else child.number or 2
@@ -327,6 +335,8 @@ class Prepositions:
     def _amid(self, phrase: Phrase, child: Meaning, preposition: str, relation: str) -> Meaning:
         """Surrounded by blocks: several of them beside it, on different sides."""
         pool = child.chosen or child.pool
+        if child.sort == "many" and child.definite and not child.chosen:
+            raise NotAnnotatable(f"PP {phrase.text!r}: there are not so many")
         if child.sort not in ("many", "container") or not 1 < pool.bit_count() <= MOST_REFERENCES:
             raise NotAnnotatable(f"PP {phrase.text!r}: its reference is not determined")
         if relation == "between":
@@ -357,7 +367,7 @@ def _counts_blocks(phrase: Phrase, children: Sequence[Meaning]) -> bool:
     if not counted or phrase.phrases[0].tag != "NP":
         return False
     first = phrase.children[0] is phrase.phrases[0]
-    bare = len(children) == 1 and all(directions(word.text) for word in phrase.words)
+    bare = len(children) == 1 and all(directions(word.text) and word.text not in _RELATIONS for word in phrase.words)
     return bare or (first and len(phrase.children) > 1)
 
 
