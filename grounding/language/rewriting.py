@@ -48,6 +48,11 @@ _BLOCKS = frozenset(
 _PUT = frozenset("put set place move stack slide push".split())
 _SIDES = frozenset("the left right top bottom front back your my you me".split())
 _WHERE = frozenset("in on at to next beside behind above below between inside near closest nearest that which".split())
+_NEVER_TWICE = frozenset("the a an of to in on at and is be from".split())
+_AFTER_IS = frozenset(
+    "next on in at by above below behind between the a closest nearest farthest furthest touching not directly just "
+    "slightly located sitting adjacent".split()
+)
 # A word that is another's misspelling between certain neighbours: (words before, word, words after, as read).
 _CONFUSED = (
     (_PUT, "in", _WHERE, "it"),
@@ -79,6 +84,12 @@ def rewrite(tokens: Sequence[Token], is_known: Callable[[str], bool]) -> tuple[T
             first, second = _REPAIRED[pair]
             written += [replace(token, text=first), replace(after, text=second)]
             index += 2
+        elif after and pair[0] == pair[1] and pair[0] in _NEVER_TWICE:
+            written.append(_join(token, after, token.text))
+            index += 2
+        elif token.text == "its" and pair[1] in _AFTER_IS:
+            written += _cut(token, ("it", "'s"), 0)
+            index += 1
         elif after and pair in _JOINED:
             written.append(_join(token, after, _JOINED[pair]))
             index += 2

@@ -15,6 +15,9 @@ from grounding.language.english import COMMON
 _MOST_CANDIDATES = 3
 _PER_EDIT = -3.0
 _OTHER_BEGINNING = -2.0
+_LONG = 8
+"""Letters from which on a word may have suffered two edits."""
+_ENDINGS = ("s", "es", "ed", "ing", "er")
 
 
 class Spelling(NamedTuple):
@@ -39,7 +42,7 @@ class Speller:
     def candidates(self, written: str) -> tuple[Spelling, ...]:
         """What may have been meant by a word nobody knows, the likeliest first; nothing for a common English word."""
         allowed = _allowed(written)
-        if not allowed or written in COMMON:
+        if not allowed or _is_english(written):
             return ()
         letters = _letters(written)
         found: list[tuple[float, str]] = []
@@ -76,7 +79,14 @@ def _allowed(word: str) -> int:
     """How many edits a word of this length may have suffered."""
     if not word.isalpha() or len(word) < 3:
         return 0
-    return 1 if len(word) < 7 else 2
+    return 1 if len(word) < _LONG else 2
+
+
+def _is_english(word: str) -> bool:
+    """Whether a word is a common one, or a form of one."""
+    stems = [word[: -len(ending)] for ending in _ENDINGS if word.endswith(ending)]
+    stems += [stem + "e" for stem in stems] + [stem[:-1] for stem in stems if stem[-1:] == stem[-2:-1]]
+    return word in COMMON or any(stem in COMMON for stem in stems if len(stem) > 2)
 
 
 def _letters(word: str) -> int:

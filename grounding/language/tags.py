@@ -32,6 +32,7 @@ _OPEN_CLASSES = {
     "IN": 0.7,
     "VBG": 0.3,
     "VBN": 0.3,
+    "VBZ": 0.3,
     "CD": 0.2,
 }
 _ENDINGS = {

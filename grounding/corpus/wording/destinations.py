@@ -109,7 +109,7 @@ so.that.it 5 : (SBAR so that/IN (S (NP it) (VP is <result.state>)))
 so.it 4 : (SBAR so (S (NP it) (VP <is> <result.state>)))
 so.they 0.8 : (SBAR so that/IN (S (NP they) (VP are <result.state>)))
 until.it 1 : (SBAR until (S (NP it) (VP is <result.state>)))
-forms 1 @arrangement : (SBAR so (S (NP it) (VP forms|makes/VBZ <set.new>)))
+forms 1 @arrangement : (SBAR so (S (NP it) (VP forms|makes|creates|completes/VBZ <set.new>)))
 to.form 2 @arrangement : (S (VP to/TO (VP make|form|create/VB <set.new>)))
 touches 1 : (SBAR so (S (NP it) (VP touches <reference>)))
 forming 0.8 @arrangement : (S (VP forming|making|creating/VBG <set.new>))
@@ -117,6 +117,11 @@ leaving 0.4 @distance : (S (VP leaving/VBG <measure> (PP between <references>)))
 sharing 0.5 : (S (VP sharing/VBG (NP its|the <edge.word> edge|side) (PP with <reference>)))
 touching 0.5 : (S (VP touching <reference>))
 align 0.4 : (S (VP to/TO (VP align|touch|join/VB <reference>)))
+forms.that 0.7 @arrangement : (SBAR so that/IN (S (NP it) (VP forms|makes|creates|completes/VBZ <set.new>)))
+aligns 0.7 : (SBAR so that/IN (S (NP it) (VP aligns|lines/VBZ <with.it>)))
+its.side 0.7 : (SBAR so that/IN (S (NP its|the <edge.word> edge|side) \
+    (VP is (PP aligned|level|flush|parallel with|to <reference>))))
+fills 0.3 : (SBAR so that/IN (S (NP it) (VP fills/VBZ (NP the gap|hole|space|corner/NN))))
 
 [result.state]
 relation 10 : <relation>
@@ -134,4 +139,9 @@ nearly.touching 0.4 : (PP nearly|almost|just/RB touching)
 reaches 3 : (SBAR until (S (NP it) (VP reaches/VBZ <target.np>)))
 touches 4 : (SBAR until (S (NP it) (VP touches|hits/VBZ <reference>)))
 is 3 : (SBAR until (S (NP it) (VP is <result.state>)))
+
+[with.it]
+plain 1 : (PP with <reference>)
+up 1 : (PRT up/RP) (PP with <reference>)
+degree 0.6 : (PP horizontally|vertically/RB with <reference>)
 """

@@ -112,6 +112,8 @@ across 0.3 : (PP across from <reference>)
 around 0.2 : (PP around|among <references>)
 corner.touching 0.3 : (PP touching (NP (NP the corner|edge|side) (PP of <reference>)))
 of.edge 0.6 : (PP at|against (NP (NP the <edge.word> side|edge) (PP of <reference>)))
+aligned.how 0.4 : (PP horizontally|vertically/RB aligned with <reference>)
+in.direct.line 0.2 : (PP in (NP a|the direct|straight/JJ line) with <reference>)
 
 [measure]
 number 8 @distance : (NP <number> <units>)

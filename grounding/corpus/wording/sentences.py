@@ -34,6 +34,7 @@ twice 0.7 @several : <pick.vp> <block.restated>
 hand.first 0.4 @several @viewer : (VP raise|lift|use/VB (NP your left|right/JJ hand|arm)) <pick.vp>
 reach 0.4 : (VP (VP reach/VB <reaching>) and <pick.vp>)
 separate.it 0.3 @several @history : <look.vp> (S (NP it) (VP <is> <where>))
+narrow 0.2 @several @viewer : (S (NP i) (VP will (VP tell|guide/VB (NP you)))) <pick.vp>
 
 [look.vp]
 at 3 @several : (VP look (PP at <looked.at>))

@@ -46,6 +46,10 @@ bare.to 0.5 @loose : (NP <block.brief> <onto>)
 is.moved.until 0.7 : (S <mover> (VP is (VP moved|shifted|pushed/VBN <path> <until>)))
 from.to 1.5 : (S <mover> (VP <moves> (PP from <reference>) <destination.pp>))
 is.taken 0.5 @stacked : (S <mover> (VP is (VP taken|removed/VBN (PP from|off <stack>))))
+gains 0.7 @stacked : (S <stack> (VP gains|adds/VBZ <lost>))
+now.moves 0.7 : (S <mover> (VP now/RB <moves> <destination>))
+shares 0.3 : (S <mover> (VP <moves> <path> \
+    (S (VP to/TO (VP share/VB (NP a|its <edge.word> edge|side) (PP with <reference>))))))
 
 [choice.np]
 choice 1 @arrangement : <block.choice>

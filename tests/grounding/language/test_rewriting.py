@@ -32,6 +32,8 @@ def known():
         ("the third cube form the left", "the third cube from the left"),
         ("form a row", "form a row"),
         ("the centre", "the center"),
+        ("take the the block", "take the block"),
+        ("so its next to its left side", "so it 's next to its left side"),
         ("furtherest tot he left", "furthest to the left"),
         ("the left-hand side", "the left-hand side"),
         ("the blorb-quux", "the blorb-quux"),
