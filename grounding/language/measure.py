@@ -91,6 +91,12 @@ def brackets(tree: Phrase) -> Counter[tuple[str, int, int]]:
     return spans
 
 
+def written(tree: Phrase) -> str:
+    """The text of a tree as one would write it: full stops between sentences, clitics joined to their words."""
+    parts = tree.phrases if tree.tag == "FRAG" and not tree.words else (tree,)
+    return ". ".join(part.text for part in parts).replace(" '", "'").replace(" n't", "n't")
+
+
 def score(parser: Parser, trees: Iterable[Phrase], k: int = 4) -> Score:
     """Parse the words of trees and compare.
 
@@ -101,7 +107,7 @@ def score(parser: Parser, trees: Iterable[Phrase], k: int = 4) -> Score:
     """
     totals: Counter[str] = Counter()
     for gold in trees:
-        parses = parser.parse(gold.text, k)
+        parses = parser.parse(written(gold), k)
         spans = brackets(gold)
         guesses = [brackets(parse.tree) for parse in parses]
         same = [parse.tree == gold for parse in parses]
