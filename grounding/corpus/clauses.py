@@ -11,7 +11,7 @@ from grounding.corpus.words import LONE, directions
 from grounding.geometry.masks import indices_of
 from grounding.language.lexicon import meanings
 from grounding.language.tree import Phrase
-from grounding.symbols import Action, ObjectColor, Region, SpatialReference, Symbol
+from grounding.symbols import Action, ObjectAttribute, ObjectColor, Region, SpatialReference, Symbol
 
 _BEING = frozenset("is are was were 's be been become becomes sits lies stands sit lie stand".split())
 _AUXILIARY = frozenset("to would will can could should must 'd have do does needs need gets".split())
@@ -115,8 +115,6 @@ class Clauses:
         kinds = sorted(s.kind for s in meanings(verb) if isinstance(s, Action))
         kind = _VERBS.get(verb) or (kinds[0] if kinds else "pick" if verb in _WANTING else "")
         before, told = self._framed(phrase, told)
-        if any(child.unclear for child in told) and not before:
-            raise NotAnnotatable(f"VP {phrase.text!r}: too close to call")
         if not kind:
             if any(child.sort == "nothing" or is_empty(child) for child in told):
                 return Meaning("action")
@@ -187,8 +185,9 @@ class Clauses:
             place.sort == "nothing" or is_empty(place) for place in places
         ):
             return Meaning("action", frozenset({Action(kind)}))
-        if target is not None and target.unclear:
-            raise NotAnnotatable(f"{phrase.text!r}: too close to call")
+        if target is not None and target.unclear:  # fine while what was said before decides
+            ranks = frozenset(s for s in target.symbols if isinstance(s, ObjectAttribute))
+            return Meaning("action", ranks | {Action(kind)}, verb=kind, target=target, parts=places, unclear=True)
         said: frozenset[Symbol] = frozenset(s for p in places for s in p.symbols if isinstance(s, Region))
         if target is None or target.sort == "pronoun":
             said |= frozenset(s for p in places for s in p.symbols if isinstance(s, SpatialReference))

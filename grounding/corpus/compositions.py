@@ -17,6 +17,7 @@ from grounding.world import Viewpoint, World, make_object
 KINDS = {"composed": 0.55, "loose": 0.15, "clutter": 0.3}
 """Kinds of composed worlds and their shares: arrangements among others, a loose row or column by hand, heaps."""
 
+APART = 1.6  # the nearest other block is so many times farther from a group than its members are from each other
 SPEAKER_SHARE = 0.5
 HANDS_SHARE = 0.1
 COLOURLESS_SHARE = 0.05
@@ -60,5 +61,13 @@ def dressed(world: World, rng: np.random.Generator) -> World:
 
 
 def recognise(name: str, world: World, containers: Iterable[Container] = ()) -> LaidWorld:
-    """Digest a world: the arrangements that were laid, if known, and those that catch the eye."""
-    return lay(name, world, containers)
+    """Digest a world: the arrangements that were laid, if known, and those that catch the eye.
+
+    A group that was laid counts if it stands apart from what lies around it.
+    """
+    laid = lay(name, world, containers)
+    by_members = laid.layout.by_members
+    kept = tuple(
+        a for a in laid.arrangements if a[0] != "group" or (a in by_members and by_members[a].separation >= APART)
+    )
+    return LaidWorld(name, laid.layout, kept)

@@ -58,7 +58,8 @@ class NounPhrases:
         Raises:
             NotAnnotatable: not true, not clear or not covered.
         """
-        if modifier.unclear:
+        predicate = modifier.sort == "one" and not modifier.preposition
+        if modifier.unclear and not predicate:
             raise NotAnnotatable(f"{modifier.sort} in {phrase.text!r}: too close to call")
         if modifier.sort in ("several", "predicate") and modifier.parts:
             for part in modifier.parts:
@@ -106,7 +107,13 @@ class NounPhrases:
 
     def _one(self, phrase: Phrase, head: Meaning, modifier: Meaning) -> Meaning:
         new, kind, upright = self._narrowed(phrase, head, modifier)
-        chosen = self._chosen(phrase, new, modifier, kind, upright)
+        chosen, unclear = 0, False
+        try:
+            chosen = self._chosen(phrase, new, modifier, kind, upright)
+        except NotAnnotatable as error:
+            if "too close to call" not in str(error) or not new.ranks:
+                raise
+            unclear = True  # fine while something around it decides
         if modifier.sort == "direction" and head.relation is None:
             self._lies_there(phrase, chosen, modifier)
         member = bool(kind) and modifier.sort == "region"
@@ -117,7 +124,7 @@ class NounPhrases:
             symbols: frozenset[Symbol] = found | {attribute} | (frozenset() if chosen else new.carried)
         else:
             symbols = found if chosen else new.carried | {attribute}
-        return replace(new, symbols=symbols, chosen=chosen, unclear=False, reference=self.layout.names(chosen),
+        return replace(new, symbols=symbols, chosen=chosen, unclear=unclear, reference=self.layout.names(chosen),
                        reference_kind="object")  # fmt: skip
 
     def _lies_there(self, phrase: Phrase, mask: int, place: Meaning) -> None:

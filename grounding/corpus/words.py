@@ -41,7 +41,7 @@ OPPOSITE = {"left": "right", "right": "left", "front": "back", "back": "front", 
 MEASURING = frozenset("half about approximately almost roughly around nearly quarter bit little few couple".split())
 LENGTHS = frozenset(
     "length lengths space spaces spot spots step steps width widths square squares place places distance distances "
-    "unit units".split()
+    "unit units tile tiles".split()
 )
 
 
