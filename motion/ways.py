@@ -31,6 +31,8 @@ _DETOURS = 2
 """Of the ways of one grasp that are not direct, how many are searched for a path."""
 _WINDOW = 8
 """How many grasps are looked at for a direct way before paths are searched for."""
+_FAR = 0.5
+"""How far, in radians, no joint moves on the straight line of an approach or a lift but near a singular posture."""
 _QUICK = 2
 """Starts of a first look at whether a destination can be reached."""
 _Item = TypeVar("_Item")
@@ -40,7 +42,7 @@ class Way(NamedTuple):
     """One way to carry out a goal.
 
     Attributes:
-        detours: on how many of its parts the straight line is not free.
+        detours: on how many of its parts the straight line in joint space is not free, or that of the tool is strained.
         plan: works it out; None where that fails.
     """
 
@@ -80,7 +82,7 @@ class Ways:
             return None if taken is None else taken.finished("pick", goal)
 
         for taking in takings:
-            detours = int(not attempt.leads_straight_to(taking))
+            detours = int(not attempt.leads_straight_to(taking)) + _strained(taking.back, taking.up)
             yield Way(detours, lambda taking=taking: worked_out(taking))  # type: ignore[misc]
 
     def places(self, grasp: Grasp, effort: Effort, goals: Goals) -> Iterator[Way]:
@@ -93,10 +95,10 @@ class Ways:
             if puttings is None:  # they depend on the grip alone, not on the posture in which the box is taken
                 found = self._puttings(attempt, goals, taking.grip, taking.full, grasp.width, grasp)
                 puttings = _Remembered(found)
-            to = int(not attempt.leads_straight_to(taking))
+            to = int(not attempt.leads_straight_to(taking)) + _strained(taking.back, taking.up)
             taken = _Once(lambda taking=taking: self._taken(attempt, taking))  # type: ignore[misc]
             for putting in puttings:
-                detours = to + attempt.detours_on(taking.up[-1], putting)
+                detours = to + attempt.detours_on(taking.up[-1], putting) + _strained(putting.down, putting.away)
                 yield Way(detours, lambda putting=putting, taken=taken: self._put(taken(), putting, grasp))  # type: ignore[misc]
             if not puttings:
                 break
@@ -109,7 +111,7 @@ class Ways:
         width = attempt.held_width()
         full = attempt.approaches.checker(width=width, held=self._target, grip=attempt.grip)
         for putting in self._puttings(attempt, goals, attempt.grip, full, width, None):
-            detours = attempt.detours_on(attempt.joints, putting)
+            detours = attempt.detours_on(attempt.joints, putting) + _strained(putting.down, putting.away)
             yield Way(detours, lambda putting=putting: self._put(attempt, putting, None))  # type: ignore[misc]
 
     def _within_reach(self, grasp: Grasp, goals: Goals) -> bool:
@@ -215,6 +217,11 @@ def _worked_out(ways: Sequence[Way]) -> Plan | None:
 
 def _detours(way: Way) -> int:
     return way.detours
+
+
+def _strained(*lines: Sequence[Array]) -> int:
+    """On how many straight lines of the tool some joint moves far: near a singular posture that takes seconds."""
+    return sum(float(np.sum(np.abs(np.diff(line, axis=0)), axis=0).max()) > _FAR for line in lines)
 
 
 def _place_of_hand(arm: str, tool: Pose) -> tuple[Hashable, ...]:

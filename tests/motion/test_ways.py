@@ -1,7 +1,7 @@
 import numpy as np
 from hypothesis import given
 from hypothesis import strategies as st
-from motion_layouts import TABLE, block
+from motion_layouts import TABLE, TOP, block
 
 from motion import Box, RobotState, Scene, plan_pick, plan_place
 from motion.goals import heading
@@ -54,3 +54,10 @@ def test_the_same_seed_gives_the_same_way(twenty_blocks):
     assert plans[0].grasp.tool.position.tolist() == plans[1].grasp.tool.position.tolist()
     for one, other in zip(plans[0].phases, plans[1].phases, strict=True):
         assert one.trajectory.positions.tobytes() == other.trajectory.positions.tobytes()
+
+
+def test_postures_near_a_singular_one_come_last():
+    """Here the first posture found lifts the block in 4.4 s."""
+    box = Box("b", (0.4231, -0.2704, TOP + 0.02), (np.cos(0.7218), 0, 0, np.sin(0.7218)), (0.04, 0.04, 0.04))
+    plan = plan_pick(Scene((TABLE, box)), "b")
+    assert {phase.name: phase.duration for phase in plan.phases}["lift"] < 1.2
