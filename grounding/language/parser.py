@@ -17,6 +17,7 @@ from grounding.language.grammar import Grammar
 from grounding.language.lexicon import known_words, meanings
 from grounding.language.rewriting import rewrite
 from grounding.language.rules import Rules
+from grounding.language.skipping import restore
 from grounding.language.spelling import Speller
 from grounding.language.tokens import Token, normal, tokenize
 from grounding.language.tree import Phrase, Word
@@ -27,6 +28,10 @@ _DERIVATIONS = 6
 """Look at up to so many derivations for every tree wanted: some differ in the words' tags only."""
 
 _MOST_KEPT = 4096
+_MOST_SKIPPED = 3
+"""So many words of a sentence that does not parse whole are tried to be left out, one at a time."""
+_SKIPPED = -12.0
+"""Log probability of a word that has no place in its sentence."""
 _LEXICON = known_words()
 
 Choice = tuple[str, str, str, float]
@@ -41,7 +46,7 @@ class Parse:
 
     Attributes:
         tree: the phrase tree, without punctuation; a phrase 'FRAG' over the pieces where the grammar does not cover the
-            text, and over the sentences where there are several.
+            text, and over the sentences where there are several. A word that had to be skipped has the tag 'X'.
         log_probability: of the tree with its words.
         probability: among the readings returned with this one; they sum to 1.
         unknown_words: words that neither the grammar's treebank nor the lexicon has, in order; mended ones not.
@@ -108,19 +113,36 @@ class Parser:
         if not sentences:
             raise LanguageError(f"expected an instruction and found a text without words: {text[:40]!r}")
         roots, whole, count = [], True, 0
+        skipped: list[Word] = []
         for sentence in sentences:
             lexemes = [self._readings(token.text, count + index) for index, token in enumerate(sentence)]
             count += len(sentence)
             root, complete = parse_forest(self._rules, lexemes, self._beam, self._cover)
+            if not complete:
+                root, left_out = self._without_a_word(lexemes, root)
+                skipped += left_out
             roots.append(root)
             whole &= complete
-        trees = _best_trees(_join(roots), k)
+        trees = [(restore(tree, skipped), score) for tree, score in _best_trees(_join(roots), k)]
         tokens = [token for sentence in sentences for token in sentence]
         total = sum(exp(score - trees[0][1]) for _, score in trees)
         return tuple(
             Parse(tree, score, exp(score - trees[0][1]) / total, self._unknown(tree), whole, _mended(tokens, tree))
             for tree, score in trees
         )
+
+    def _without_a_word(self, lexemes: list[list[Lexeme]], root: Node) -> tuple[Node, list[Word]]:
+        """The sentence without the word that keeps it from parsing whole, and that word; the pieces where none does."""
+        (pieces,) = root.children(0)
+        assert isinstance(pieces, Phrase)
+        found: tuple[Node, list[Word]] = (root, [])
+        for word in pieces.words[:_MOST_SKIPPED]:
+            rest = [readings for readings in lexemes if readings[0].word.index != word.index]
+            if rest:
+                other, complete = parse_forest(self._rules, rest, self._beam, self._cover)
+                if complete and other.score + _SKIPPED > found[0].score:
+                    found = (Node(other.score + _SKIPPED, [(_SKIPPED, other, None)]), [word])
+        return found
 
     def _is_known(self, word: str) -> bool:
         return self.grammar.words.is_known(word) or word in _LEXICON or bool(meanings(word))

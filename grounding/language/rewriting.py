@@ -33,7 +33,8 @@ _SPLIT = {
     "inthe": ("in", "the"),
 }
 _REPAIRED = {("tot", "he"): ("to", "the"), ("int", "he"): ("in", "the"), ("ont", "he"): ("on", "the"),
-             ("oft", "he"): ("of", "the"), ("att", "he"): ("at", "the")}  # fmt: skip
+             ("oft", "he"): ("of", "the"), ("closet", "to"): ("closest", "to"), ("closes", "to"): ("closest", "to"),
+              ("att", "he"): ("at", "the")}  # fmt: skip
 _READ_AS = {
     "nw": "northwest", "ne": "northeast", "sw": "southwest", "se": "southeast", "righthand": "right-hand",
     "lefthand": "left-hand", "centre": "center", "centres": "centers", "grey": "gray", "colour": "color",
@@ -58,6 +59,7 @@ _CONFUSED = (
     (_PUT, "in", _WHERE, "it"),
     (_BLOCKS, "form", _SIDES, "from"),
     (frozenset({"the"}), "on", _WHERE, "one"),
+    (_BLOCKS, "the", frozenset({"is"}), "that"),
 )
 
 

@@ -36,6 +36,7 @@ you.see 0.5 @viewer : (SBAR (S (NP you) (VP see <location>)))
 that.you.see 0.3 @viewer : (SBAR <that.word> (S (NP you) (VP see <location>)))
 moved 0.5 @history : (SBAR (S (NP you) (VP <just.moved>)))
 that.moved 0.4 @history : (SBAR <that.word> (S (NP you) (VP <just.moved>)))
+you.can.see 0.3 @viewer : (SBAR (S (NP you) (VP can (VP see/VB <location>))))
 
 [that.set]
 where 4 @deep : (SBAR <that.word> (S (VP <is> <where>)))

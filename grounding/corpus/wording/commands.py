@@ -35,6 +35,7 @@ looking.first 0.6 : (VP (PP looking (PP at <looked.at>)) pick|find (PRT up/RP) <
 view.last 0.4 @viewer : (VP pick (PRT up/RP) <block.brief> <view.pp>)
 pick.out 0.2 : (VP pick (PRT out/RP) <block>)
 then.one 0.3 @loose : (VP go/VB to/IN <block>)
+person.first 0.8 @viewer : (VP (PP to|on (NP (NP the left|right/NN) (PP of <person>))) pick|grab|take <block.brief>)
 
 [plural.front]
 blocks 6 @arrangement : (NP <bases>)

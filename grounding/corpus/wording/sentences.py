@@ -35,6 +35,7 @@ hand.first 0.4 @several @viewer : (VP raise|lift|use/VB (NP your left|right/JJ h
 reach 0.4 : (VP (VP reach/VB <reaching>) and <pick.vp>)
 separate.it 0.3 @several @history : <look.vp> (S (NP it) (VP <is> <where>))
 narrow 0.2 @several @viewer : (S (NP i) (VP will (VP tell|guide/VB (NP you)))) <pick.vp>
+framed.wish 0.8 @viewer : (S <frame> <wish.framed>)
 
 [look.vp]
 at 3 @several : (VP look (PP at <looked.at>))
@@ -117,4 +118,16 @@ there.is 1.5 : <there.is>
 over 2 : (PP over|across|past|to <blocks>)
 table 1 : (PP across|over <table>)
 person 1 @viewer : (PP out (PP in (NP (NP front/NN) (PP of (NP you)))))
+
+[frame]
+view 2 @viewer : <view.pp>
+looking 1.5 @viewer : (PP looking (PP at <looked.at>))
+location 1 @viewer : <location>
+
+[wish.framed]
+would 2 @viewer : (NP i) (VP would <pick.vp>)
+are.to 1 @viewer : (NP you) (VP are (S (VP to/TO <pick.vp>)))
+want.to 1 @viewer : (NP you) (VP want/VBP (S (VP to/TO <pick.vp>)))
+can.see 1 @viewer : (NP you) (VP can (VP see/VB (NP (NP a|the <color>?.6 <noun>) <where>)))
+should 1 @viewer : (NP you) (VP should|will|can <pick.vp>)
 """
