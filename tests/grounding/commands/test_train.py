@@ -107,3 +107,15 @@ def test_a_folder_without_trees_is_named(small, capsys):
     (small / "trees" / "a.trees").unlink()
     assert train(small, small / "out") == 2
     assert "no *.trees files" in refused(capsys)[0]
+
+
+def test_several_corpora_and_generated_examples_are_learned_from_together(small, capsys):
+    for ending in (".jsonl", ".worlds.json"):
+        (small / f"other{ending}").write_bytes((small / f"small{ending}").read_bytes())
+    shipped = len(read_corpus(small / "small.jsonl"))
+    both = ["--corpus", str(small / "small.jsonl"), str(small / "other.jsonl")]
+    assert train(small, small / "both", *both) == 0
+    assert train(small, small / "more", "--generated", "6", "--seed", "1", "--hold-out") == 0
+    counts = [json.loads(line)["examples"] for line in capsys.readouterr().out.splitlines()]
+    assert counts[0] == 2 * shipped
+    assert 0 < counts[1] <= shipped + 6
