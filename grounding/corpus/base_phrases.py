@@ -83,6 +83,8 @@ class BasePhrases:
         if said.kinds:
             return self._container(phrase, said, corner)
         named = said.types or said.colors or said.numbers or said.plural or said.universal
+        if said.indices and not named and not said.relations and not said.place:
+            return self._one(phrase, said, corner)  # "the third"
         place = said.place or not named
         if place and not (said.types and corner):
             return self._direction(phrase, said, corner)
@@ -299,6 +301,9 @@ def _corner(relations: list[str]) -> tuple[str, ...]:
     if len(relations) != 2:
         return ()
     relations = [{"near": "front", "far": "back"}.get(name, name) for name in relations]
+    if "center" in relations and relations.count("center") == 1:
+        other = next(name for name in relations if name != "center")
+        return ("center", other) if other in _CORNER_Y else (other, "center") if other in _CORNER_X else ()
     first, second = sorted(relations, key=lambda name: name in _CORNER_Y)
     along = {*_CORNER_X, "center"}
     if first in along and second in (*_CORNER_Y, "center") and (first, second) != ("center", "center"):

@@ -33,13 +33,20 @@ from grounding.symbols import (
 
 UNKNOWN_NOUNS = frozenset(
     "ball balls cup cups bottle bottles pen pens spoon mug hammer apple apples banana sponge toy coin coins book books "
-    "key keys shoe phone plate glass lamp hat sock marble marbles song pyramid cylinder car bowl fork knife door "
-    "story".split()
+    "key keys shoe phone plate glass lamp hat sock marble marbles song pyramid cylinder car bowl fork knife "
+    "door".split()
 )
 _LYING = {"horizontal": ("row",), "vertical": ("column", "tower"), "straight": ("row", "column")}
 _NUMBERED = {"trio": ("group", 3), "couple": ("group", 2), "quartet": ("group", 4)}
 _MULTIPLE = {"double": 2, "triple": 3, "quadruple": 4}
-_SHAPES = {"formation": "group", "structure": "tower", "arrangement": "group", "grouping": "group"}
+_SHAPES = {
+    "formation": "group",
+    "structure": "tower",
+    "arrangement": "group",
+    "grouping": "group",
+    "configuration": "group",
+    "building": "tower",
+}
 _VIEWERS = ("my", "your", "me", "myself")
 _EVERYTHING = ("everything", "them")
 _COMPARATIVES = ("closer", "nearer", "farther", "further", "higher", "lower")

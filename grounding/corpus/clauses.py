@@ -13,7 +13,10 @@ from grounding.language.lexicon import meanings
 from grounding.language.tree import Phrase
 from grounding.symbols import Action, ObjectAttribute, ObjectColor, Region, SpatialReference, Symbol
 
-_BEING = frozenset("is are was were 's be been become becomes sits lies stands sit lie stand".split())
+_BEING = frozenset(
+    "is are was were 's be been become becomes sits lies stands sit lie stand located positioned "
+    "situated sitting standing lying".split()
+)
 _AUXILIARY = frozenset("to would will can could should must 'd have do does needs need gets".split())
 _WANTING = frozenset(("want", "need", "like", "choose"))
 _LOOKING = frozenset(("look", "see"))
@@ -23,6 +26,7 @@ _VERBS = {"touch": "pick", "find": "pick", "locate": "pick", "identify": "pick",
           "joins": "place", "loses": "pick", "takes": "place", "go": "place", "moved": "place", "placed": "place",
           "stacked": "place", "positioned": "place", "add": "place", "pull": "place", "lands": "place"}  # fmt: skip
 _MIXED = ("put", "move", "set", "place", "stack", "slide", "shift", "push", "drop", "position", "lay")
+_PLACES = ("direction", "region", "several", "predicate")
 _HANDLED = ("one", "many", "container")
 
 
@@ -124,7 +128,8 @@ class Clauses:
         if kind == "clear" and told and told[0].sort in ("table", "region", "direction"):
             told = [self._all_there(phrase, told[0]), *told[1:]]
         moves = verb in _VERBS and kind == "place" and phrase.words[0].tag in ("VBZ", "VBN") and verb != "takes"
-        subjectless = moves or (verb == "go" and told and told[0].sort not in _HANDLED)
+        aside = bool(told) and kind == "place" and all(place.sort in _PLACES for place in told)
+        subjectless = moves or aside or (verb == "go" and told and told[0].sort not in _HANDLED)
         if verb == "joins" and len(told) == 1:
             told = [self.destinations.prepositions.region(phrase, told[0], "near", "next to")]
         if not told and not moves:
@@ -143,10 +148,11 @@ class Clauses:
         if kind == "clear" and len(places) == 1 and places[0].sort == "table":
             places = []
         places = [place for place in places if place.sort != "view"]
-        if target is None and not moves and verb != "go" and told[0].sort == "pronoun":
+        if target is None and not subjectless and told[0].sort == "pronoun":
             pronoun = told[0]
             return self.act(phrase, kind, pronoun, tuple(places))
-        return self.act(phrase, kind, target, tuple(places))
+        done = self.act(phrase, kind, target, tuple(places))
+        return replace(done, preposition="find") if verb in ("find", "locate", "identify") else done
 
     def _all_there(self, phrase: Phrase, place: Meaning) -> Meaning:
         """What is cleared where a place is: everything on it."""
@@ -316,6 +322,8 @@ class Clauses:
 
     def _after(self, phrase: Phrase, said: Meaning, done: Meaning | None, topic: Meaning | None) -> Meaning:
         """An action after what was said before it."""
+        if done is not None and done.preposition == "find":
+            done = None  # what was looked for is spoken of
         if topic is not None and topic.sort == "nothing":
             return Meaning("action", frozenset({Action(said.verb)} if said.verb else ()), verb=said.verb)
         if not said.verb or said.target is None:
@@ -335,7 +343,8 @@ class Clauses:
             return self.act(phrase, said.verb, topic, said.parts)
         if done is not None:
             raise NotAnnotatable(f"{phrase.text!r}: two commands")
-        if topic is not None and not topic.chosen:
+        within = topic is not None and topic.sort == "one" and target.chosen and not target.chosen & ~topic.pool
+        if topic is not None and not topic.chosen and not within:
             raise NotAnnotatable(f"{phrase.text!r}: what was said first is not true, or of several")
         if topic is not None and topic.chosen and topic.sort in ("many", "container"):
             frame = replace(topic, preposition="of", symbols=passed(topic))

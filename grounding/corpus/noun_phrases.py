@@ -265,6 +265,9 @@ class NounPhrases:
 
     def _direct(self, phrase: Phrase, pool: int, region: Region) -> int:
         """What is directly there: the first that comes, if it lies straight in that direction."""
+        if region.kind == "robot" and region.relation in ("front", "back") and not single(pool):
+            nearest = "near" if region.relation == "front" else "far"  # of the speaker across the table, the farthest
+            return self.select.rank(phrase, pool, nearest, 1, "")
         if region.kind == "robot" or self._table() == region.objects:
             return pool if single(pool) else 0
         chosen = pool if single(pool) else self.select.first_met(pool, region)

@@ -169,7 +169,7 @@ class Prepositions:
                 return self.region(phrase, child, _RELATIONS[preposition], preposition)
             raise self._refusal(phrase)
         if preposition in _COPYING and child.sort not in ("empty", "action"):
-            if child.sort == "speaker" and preposition not in ("to", "from"):
+            if child.sort == "speaker" and preposition not in ("to", "from", "of"):
                 raise self._refusal(phrase)
             said = "on" if preposition in ("toward", "towards", "along", "over") else preposition
             said = {"off": "from", "off of": "from", "within": "in", "inside": "in", "among": "in", "out of": "of",
@@ -295,7 +295,7 @@ class Prepositions:
     def _each_of_two(self, phrase: Phrase, child: Meaning, relation: str, preposition: str, contact: bool) -> Meaning:
         """Between a red and a blue block; touching one of each."""
         pools = [part.chosen or part.pool for part in child.parts]
-        if len(pools) != 2 or not all(pools) or not child.pool.bit_count() <= MOST_REFERENCES:
+        if len(pools) != 2 or not all(pools) or not child.pool.bit_count() <= 2 * MOST_REFERENCES:
             raise NotAnnotatable(f"PP {phrase.text!r}: its reference is not determined")
         first, second = (list(indices_of(pool)) for pool in pools)
         region = Region(relation, "object", self.layout.names(child.pool))

@@ -29,10 +29,10 @@ LONE = frozenset(
 OTHER = frozenset(("other", "another"))
 INDEFINITE = frozenset(("a", "an", "some", "any", "another"))
 BLOCKS = frozenset("square squares piece pieces object objects thing things item items tile tiles unit units".split())
-TABLES = frozenset("board grid screen surface desk tabletop desktop playing".split())
+TABLES = frozenset("board grid screen surface desk tabletop desktop playing field page image picture display".split())
 IGNORED = frozenset(
     "of very only whole entire most absolute extreme same hand nearby little um uh er exact actual immediate "
-    "particular specific away".split()
+    "particular specific away story stories high".split()
 )
 SUPERLATIVE_NEAR = frozenset(("closest", "nearest", "closer", "nearer"))
 SUPERLATIVE_FAR = frozenset(("farthest", "furthest", "farther", "further"))
