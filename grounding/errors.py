@@ -37,6 +37,10 @@ class ModelError(GroundingError):
     """Weights or a grammar on disk that are missing, damaged or of another version."""
 
 
+class PictureError(GroundingError):
+    """A picture that cannot be written where it was asked for; names the file."""
+
+
 class CorpusErrors(CorpusError):
     """Everything that was refused in a corpus, where reading went on after the first.
 

@@ -5,21 +5,45 @@ from __future__ import annotations
 import time
 from collections import OrderedDict
 from collections.abc import Sequence
+from dataclasses import dataclass
 from pathlib import Path
 
 import models
 from grounding.dialogue import decide
 from grounding.factors import load_model
 from grounding.geometry.layout import Layout
-from grounding.graded.belief import believe
+from grounding.graded.belief import GradedBelief, believe
 from grounding.graded.scene import Scene
 from grounding.inference import Adcg
-from grounding.language.parser import Parser
-from grounding.readings import readings
+from grounding.language.parser import Parse, Parser
+from grounding.readings import Reading, readings
 from grounding.result import Grounding
 from grounding.world import World
 
 KEPT_SCENES = 16
+
+
+@dataclass(frozen=True, eq=False)
+class Understanding:
+    """What a text was taken for, before it is decided what follows.
+
+    Attributes:
+        text: the instruction.
+        parses: of the text, the likeliest first.
+        scene: the world, measured.
+        graded: what the parses ask for by their graded readings.
+        readings: by the factors, of the parses that agree best with the world; the likeliest first.
+    """
+
+    text: str
+    parses: tuple[Parse, ...]
+    scene: Scene
+    graded: GradedBelief
+    readings: tuple[Reading, ...]
+
+    def decided(self) -> Grounding:
+        """The answer."""
+        return decide(self.text, self.readings, self.scene.layout, self.parses[0].unknown_words, self.graded)
 
 
 class Grounder:
@@ -60,6 +84,11 @@ class Grounder:
             LanguageError: the text has no words.
         """
         start = time.perf_counter()
+        result = self.understand(text, world, history).decided()
+        return result.timed(1000 * (time.perf_counter() - start))
+
+    def understand(self, text: str, world: World, history: Sequence[str] = ()) -> Understanding:
+        """Read an instruction in every way that is likely; see `ground`."""
         parses = self.parser.parse(text, self.parses)
         scene = self.scene(world)
         graded = believe(parses, scene, history)
@@ -67,8 +96,7 @@ class Grounder:
         likely = [parses[place] for place in kept]
         memory: dict[object, list] = {}
         inferred = [(self.inference.infer(parse.tree, scene.layout, memory), parse.probability) for parse in likely]
-        result = decide(text, readings(inferred, scene.layout), scene.layout, parses[0].unknown_words, graded)
-        return result.timed(1000 * (time.perf_counter() - start))
+        return Understanding(text, parses, scene, graded, readings(inferred, scene.layout))
 
     def layout(self, world: World) -> Layout:
         """The world, measured; the latest ones are kept."""

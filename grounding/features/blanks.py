@@ -7,7 +7,7 @@ import re
 from grounding.features.forms import Blank, as_is, one_of, plain
 from grounding.symbols import ACTION_KINDS, CONTAINER_KINDS, SPATIAL_REFERENCES
 
-_PARTS = {
+PARTS = {
     "head": "the head phrase",
     "mod": "the modifier",
     "part": "the conjoined phrases",
@@ -17,14 +17,14 @@ _PARTS = {
     "subject": "the subject",
     "prt": "the particle",
 }
-_WHO = {
-    **_PARTS,
+WHO = {
+    **PARTS,
     "own": "the phrase itself",
     "below": "a word within the head that the head's grounding no longer tells",
     "unsaid": "nobody, so that it is counted from the robot",
 }
 _SAID = {
-    **_WHO,
+    **WHO,
     "first": "nobody, so that it is the first",
     "none": "nobody, and it is left out",
     "unsaid": "somebody, but it is left out",
@@ -61,7 +61,7 @@ _LISTS = {
     "counted": "the arrangements that fit and have the number that is said",
     "evident counted": "the arrangements that catch the eye and have the number that is said",
 }
-for _part, _words in _PARTS.items():
+for _part, _words in PARTS.items():
     _REFERENCES[f"{_part}.in"] = f"what {_words} is grounded to"
     _REFERENCES[f"{_part}.region"] = f"the things in the region that {_words} is grounded to"
     _REFERENCES[f"{_part}.both"] = f"what {_words} is grounded to, in its region"
@@ -117,7 +117,7 @@ _WAYS = {
     },
 }
 _TOLD = "[dinkCRAP!FB]*[oO]?"
-_PART = f"(?:{'|'.join(_PARTS)})"
+_PART = f"(?:{'|'.join(PARTS)})"
 _COMPOSITION = rf"{_PART}\({_TOLD}\)(?:\+{_PART}\({_TOLD}\))*"
 
 
@@ -127,21 +127,21 @@ def _told(letters: str) -> str:
 
 def _composition(value: str) -> str:
     parts = re.findall(rf"({_PART})\(({_TOLD})\)", value)
-    return "; ".join(f"{_PARTS[part]} speaks of {_told(told)}" for part, told in parts)
+    return "; ".join(f"{PARTS[part]} speaks of {_told(told)}" for part, told in parts)
 
 
 def _children(value: str) -> str:
-    return " and ".join(_PARTS[part] for part in value.split("+")) if value else "nothing"
+    return " and ".join(PARTS[part] for part in value.split("+")) if value else "nothing"
 
 
 BLANKS: dict[str, Blank] = {
     "word": as_is(r"\S+"),
     "tag": as_is(r"[A-Z]+\$?|[^\w\s]+|-[A-Z]+-"),
     "parts": Blank(rf"(?:{_PART}(?:\+{_PART})*)?", _children),
-    "part": one_of(_PARTS),
-    "who": one_of(_WHO),
+    "part": one_of(PARTS),
+    "who": one_of(WHO),
     "said": one_of(_SAID),
-    "rank": one_of({**{who: f"the rank that {words} says" for who, words in _WHO.items()}, "first": "the first rank"}),
+    "rank": one_of({**{who: f"the rank that {words} says" for who, words in WHO.items()}, "first": "the first rank"}),
     "what": one_of(_WHAT),
     "relation": plain(("side", *SPATIAL_REFERENCES)),
     "ordered": one_of({"-": "no rank", "first": "the first rank", "later": "a later rank", "last": "the last rank"}),

@@ -88,7 +88,7 @@ def draw_plan(
             _draw_table(canvas, view, item)
     _draw_robot(canvas, view)
     _draw_sides(canvas, sheet.body)
-    things = sorted((item for item in world.objects if item.type not in FURNITURE), key=_from_below)
+    things = sorted((item for item in world.objects if item.type not in FURNITURE), key=drawing_order)
     corners = {item.id: view(corners_of(item)) for item in things}
     draw_areas(canvas, marks, corners)
     covered = {item.id for item in things if any(_covers(other, item) for other in things)}
@@ -102,7 +102,8 @@ def draw_plan(
     return sheet.finished()
 
 
-def _from_below(item: WorldObject) -> tuple[float, float, str]:
+def drawing_order(item: WorldObject) -> tuple[float, float, str]:
+    """Lower objects are drawn before those that stand on them, farther ones before nearer ones."""
     return round(float(item.position[2]), 3), -float(item.position[0]), item.id
 
 

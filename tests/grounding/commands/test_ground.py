@@ -89,7 +89,7 @@ def test_people_are_told_everything():
     result = Grounding(
         "x", "ambiguous", (), (place, GroundedAction("pick", ("b1", "b2"), 0.5)), "Which?", "two", ("wug",)
     )
-    assert describe(result, explain=True) == [
+    assert describe(result) == [
         "ambiguous: two", "  Which?", "  readings:", "    place b1 to (0.100, -0.200, 0.300) m, left of b2  (0.25)",
         "    pick b1 b2  (0.50)", "  unknown words: wug",
     ]  # fmt: skip
