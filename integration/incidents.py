@@ -7,7 +7,8 @@ from typing import Any
 
 from integration.errors import IntegrationError
 
-KINDS = ("moved", "gripper", "missed", "slipped", "tracking", "leaning", "covered", "bystander", "check", "plan")
+KINDS = ("moved", "gripper", "missed", "slipped", "tracking", "leaning", "covered", "hemmed", "bystander", "check",
+         "plan")  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -18,8 +19,8 @@ class Incident:
         kind: "moved" (the block was not where it had been), "gripper" (it did not open or close as told), "missed" (the
             fingers closed on nothing), "slipped" (what was held was lost, or turned in the hand), "tracking" (the arm
             was not where it should be), "leaning" (another block leans on the one that is meant), "covered" (another
-            block stood on it), "bystander" (another block was moved), "check" (the end was not as it should be) or
-            "plan" (there was no further plan).
+            block stood on it), "hemmed" (another block kept the hand from it), "bystander" (another block was moved),
+            "check" (the end was not as it should be) or "plan" (there was no further plan).
         object: id of the object it is about.
         phase: of the plan, or "" after its end.
         message: what was noticed, for people.

@@ -64,7 +64,7 @@ class Laying:
             after, doubt = self._stage.look_carefully(), self._stage.doubt
             return (checks.at_goal(after, name, self.goals[name], doubt=doubt),)
 
-        done = persist(self._stage, name, attempt, check, self._arm)
+        done = persist(self._stage, name, attempt, check, self._arm, room=True)
         self._given_up |= not done
         return done
 

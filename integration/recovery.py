@@ -25,7 +25,13 @@ _RESTORED = 3
 
 
 def persist(
-    stage: Stage, name: str, attempt: Callable[[str], None], check: Callable[[], tuple[Check, ...]], arm: str
+    stage: Stage,
+    name: str,
+    attempt: Callable[[str], None],
+    check: Callable[[], tuple[Check, ...]],
+    arm: str,
+    *,
+    room: bool = False,
 ) -> bool:
     """Attempts something until the checks pass, at most `TRIES` times; each attempt begins with what is seen then.
 
@@ -35,6 +41,7 @@ def persist(
         attempt: plans and carries out, by the arm that it is given.
         check: what has to be seen afterwards.
         arm: "left", "right" or "auto".
+        room: whether what keeps the hand from the object after a trouble may be set aside: it has to be put back.
 
     Returns:
         whether the checks passed. If not, the robot has stopped, at home where there was a free way.
@@ -58,8 +65,13 @@ def persist(
         except NoPlan as refusal:
             if count == 0:
                 raise
-            stage.note("plan", name, f"there is no plan to go on with {name}: {refusal}")
-            break
+            try:
+                roomy = room and count + 1 < TRIES and make_room(stage, name, refusal)
+            except Trouble:
+                roomy = True  # something has moved; it is looked at anew
+            if not roomy:
+                stage.note("plan", name, f"there is no plan to go on with {name}: {refusal}")
+                break
         stage.come_to_rest()
     stop(stage)
     return False
@@ -131,6 +143,26 @@ def remove_leaning(stage: Stage, name: str) -> None:
             raise NoPlan(f"{other} leans on {name}, and there is no plan to move it first", (name, other), "leaning")
 
 
+def make_room(stage: Stage, name: str, refusal: NoPlan) -> bool:
+    """Sets aside, until the end, the block that keeps the hand from an object; False where that is not what does.
+
+    Args:
+        stage: where it is done.
+        name: the object, which fell or was pushed to where it is.
+        refusal: why there is no plan for it.
+
+    Raises:
+        Trouble: something was not as planned.
+    """
+    scene, bodies = stage.scene, getattr(refusal.__cause__, "bodies", None) or ()
+    loose = {box.name for box in scene.boxes if not box.fixed} - {name, *stage.simulator.state().held.values()}
+    for other in loose.intersection(bodies):
+        stage.note("hemmed", other, f"{other} was in the way of {name} and was set aside until the end")
+        spots = out_of_the_way(scene, other, region_of(scene, [name, other]))
+        return put_at_first(stage, "clear", other, spots, "auto")
+    return False
+
+
 def put_back(stage: Stage, before: Scene, handled: Collection[str]) -> bool:
     """Puts other blocks that incidents moved back where they were; whether there was anything to put back."""
     shifts = drifts(before, stage.look_carefully())
@@ -139,13 +171,14 @@ def put_back(stage: Stage, before: Scene, handled: Collection[str]) -> bool:
     if not others or len(others) > _RESTORED or all(one.kind == "check" for one in stage.incidents):
         return False
     for name in others:
-        stage.note("bystander", name, f"{name} was moved by {1000 * shifts[name]:.0f} mm and put back")
-        box = before.box(name)
+        box, told = before.box(name), f"{name} was moved by {1000 * shifts[name]:.0f} mm and"
         try:
             for plan in stage.plan_transport(name, box.position, "auto", yaw=heading(box)):
                 stage.execute(plan, "place", name)
         except (NoPlan, Trouble):
+            stage.note("bystander", name, f"{told} could not be put back")
             return False
+        stage.note("bystander", name, f"{told} put back")
     return True
 
 

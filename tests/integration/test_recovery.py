@@ -3,6 +3,7 @@ import pytest
 from by_hand import grounded, scene
 
 from grounding import Destination
+from grounding.world import World, make_object
 from integration.benchmark_worlds import draw_episode
 from integration.executor import Executor
 from motion import Jam, Push, Sensor, Slip
@@ -83,3 +84,18 @@ def test_the_same_fault_gives_the_same_report():
 
 def test_without_faults_there_are_no_incidents():
     assert _carried_out(PLACE).incidents == ()
+
+
+def test_a_block_that_was_pushed_into_a_corner_is_reached_after_its_neighbour_was_set_aside():
+    table = make_object("table", "table", "white", (0.65, 0.0, 0.691), size=(0.7, 1.8, 0.04))
+    places = {"b": (0.58, -0.30), "far": (0.665, -0.33), "side": (0.61, -0.385)}
+    blocks = [make_object(name, "block", "red", (*place, 0.736)) for name, place in places.items()]
+    goal = (0.5, -0.5, 0.736)
+    push = Push("b", (0.032, -0.032), 0.0, "pregrasp", 0.5)
+    report = Executor(faults=[push]).execute(grounded("place", "b", to=Destination(goal)), World((table, *blocks)))
+    assert report.outcome == "done"
+    kinds = [incident.kind for incident in report.incidents]
+    assert kinds == ["moved", "hemmed", "bystander"]
+    assert _error(report, "b", goal) < 0.005
+    for name in ("far", "side"):
+        assert _error(report, name, (*places[name], 0.736)) < 0.005
