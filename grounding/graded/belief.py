@@ -10,7 +10,7 @@ import numpy as np
 from grounding.graded import words
 from grounding.graded.destinations import Spot, find_spot
 from grounding.graded.discourse import Told, read_text
-from grounding.graded.reader import Reader
+from grounding.graded.reader import VIEWS, Reader
 from grounding.graded.scene import ROBOT, SPEAKER, Scene
 from grounding.language.parser import Parse
 from grounding.language.tree import Phrase
@@ -25,7 +25,6 @@ UNMARKED = {ROBOT: 0.67, SPEAKER: 0.33}
 view twice as often as their own."""
 BURIED = 0.1  # what carries something is less likely to be handled
 _ALONG = frozenset("behind row column line first second third fourth fifth last".split())
-_VIEWS = frozenset("perspective view viewpoint standpoint vantage position point".split())
 
 Option = tuple[str, tuple[str, ...]]
 
@@ -121,7 +120,7 @@ def _views(tree: Phrase, scene: Scene) -> dict[str, float]:
         return {ROBOT: 1.0}
     texts = [leaf.text for leaf in tree.leaves]
     for place, text in enumerate(texts):
-        if text in _VIEWS:
+        if text in VIEWS:
             before = texts[max(0, place - 3) : place]
             if "your" in before:
                 return {ROBOT: 1.0}

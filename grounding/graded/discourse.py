@@ -25,8 +25,13 @@ _HANDLING = {
 _LOOKING = frozenset("look find locate see focus consider notice search narrow identify imagine observe looking "
                      "there there's".split())  # fmt: skip
 _BEING = frozenset("is are 's was were be being re".split())
+_ORDERING = frozenset("should will must shall would needs ought".split())
+_MOVED = frozenset("moved placed put stacked set shifted relocated positioned".split())
 _LOSING = frozenset("loses lose lost drops".split())
 _GAINING = frozenset("takes gains gets receives becomes grows adds acquires take gain become made formed".split())
+_BRINGING = frozenset("from using moving taking placing stacking putting adding by".split())
+_THINGS = ("block", "container", "place")
+_MAKING = frozenset("create make form build creating making forming".split())
 _BODY = frozenset("hand hands arm arms gripper fingers claw".split())
 
 
@@ -62,18 +67,54 @@ def _resumes(clause: Phrase) -> bool:
 def read_text(tree: Phrase, reader: Reader) -> Told:
     """Follow a text clause by clause."""
     told = Told()
-    clauses = _clauses(tree)
+    clauses = [_possessed(clause) for clause in _clauses(tree)]
     for place, clause in enumerate(clauses):
         told.continued = any(_resumes(further) for further in clauses[place + 1 :])
         _follow(clause, reader, told)
     if told.target is None and told.mentioned is not None:
         told.target = told.mentioned
+    if told.target is None:
+        _guess(tree, reader, told)
     return told
+
+
+def _guess(tree: Phrase, reader: Reader, told: Told) -> None:
+    """Where no clause named anything: the first noun phrase that could."""
+    for phrase in tree.preorder():
+        if phrase.tag == "NP":
+            noun = read_noun(phrase)
+            if noun.head == "block" and _informative(noun) and not noun.strange:
+                _take(noun, reader, told)
+                if told.target is not None:
+                    return
+
+
+def _possessed(clause: Phrase) -> Phrase:
+    """ "The corner 's block moves" was read as a statement about the corner; it is one about the block of the corner."""
+    if clause.tag != "S" or len(clause.children) < 2:
+        return clause
+    owner, verb = clause.children[0], clause.children[1]
+    if not (isinstance(owner, Phrase) and owner.tag == "NP" and isinstance(verb, Phrase) and verb.tag == "VP"):
+        return clause
+    if not verb.children or not isinstance(verb.children[0], Word) or verb.children[0].text != "'s" or len(verb.children) < 2:
+        return clause
+    rest = verb.children[1:]
+    if isinstance(rest[0], Phrase) and rest[0].tag == "S":
+        rest = (*rest[0].children, *rest[1:])
+    thing = rest[0]
+    if not (isinstance(thing, Phrase) and thing.tag == "NP") or thing.leaves[0].tag == "DT":
+        return clause
+    of = Phrase("PP", (Word("of", "IN", owner.leaves[-1].index), owner))
+    return Phrase("S", (Phrase("NP", (thing, of)), *rest[1:]))
 
 
 def _clauses(tree: Phrase) -> list[Phrase]:
     if tree.tag == "FRAG":
         return [clause for child in tree.phrases for clause in _clauses(child)]
+    if tree.tag == "S" and tree.children and isinstance(tree.children[0], Phrase) and _existential(tree.children[0]):
+        command = next((p for p in tree.preorder() if p.tag == "VP" and _commands(p)), None)
+        if command is not None:
+            return [_without(tree, command), *_clauses(Phrase("VP", tuple(c for c in command.children if c not in _leading(command)))) ]
     if tree.tag == "VP":
         place = next((i for i, child in enumerate(tree.children) if i > 1 and _coordinate(tree, i, child)), None)
         if place is not None:
@@ -84,6 +125,35 @@ def _clauses(tree: Phrase) -> list[Phrase]:
     ):
         return [clause for child in tree.phrases for clause in _clauses(child)]
     return [tree]
+
+
+def _commands(phrase: Phrase) -> bool:
+    """Whether a verb phrase has a verb of handling itself, with an object."""
+    verbs = any(word.text in words for word in phrase.words for words in _HANDLING.values() if word.text not in _BEING)
+    return verbs and any(child.tag == "NP" for child in phrase.phrases)
+
+
+def _leading(command: Phrase) -> tuple[Phrase, ...]:
+    """What stands before the verb of a command: it belongs to what was said before."""
+    found = []
+    for child in command.children:
+        if not isinstance(child, Phrase):
+            break
+        found.append(child)
+    return tuple(found)
+
+
+def _without(tree: Phrase, command: Phrase) -> Phrase:
+    """A clause without the command that ran into it, which leaves what stands before its verb."""
+    children: list[Phrase | Word] = []
+    for child in tree.children:
+        if child is command:
+            children += _leading(command)
+        elif isinstance(child, Phrase):
+            children.append(_without(child, command))
+        else:
+            children.append(child)
+    return Phrase(tree.tag, tuple(children))
 
 
 def _coordinate(parent: Phrase, place: int, child: Phrase | object) -> bool:
@@ -139,8 +209,29 @@ def _sentence(clause: Phrase, reader: Reader, told: Told) -> None:
     if looking and named and all(noun.head == "pronoun" for noun in nouns):
         _mention(_with(named[0], parts.before, reader), reader, told)
         return
+    if looking and not nouns:
+        sought = [child for part in parts.rest for child in part.phrases if child.tag == "NP"]
+        if sought and parts.rest[0].words and parts.rest[0].words[-1].text in ("for", "at", "to"):
+            _mention(read_noun(sought[0]), reader, told)
+            return
     if looking and nouns and not (kind and not subjects and len(nouns) > 1):
         _mention(_with(nouns[0], [*parts.before, *parts.rest], reader), reader, told)
+        return
+    ordered = any(v in _ORDERING for v in verbs)
+    everything = [read_noun(p) for p in parts.subjects if not _existential(p)]
+    if told.kind == "place" and told.target is not None and told.destination and everything and _same_thing(everything[0]):
+        told.destination += [*parts.objects, *parts.rest]  # "it should be left of X", "its left side touches X"
+        return
+    passive = any(v in _BEING for v in verbs) and any(v in _MOVED for v in verbs)
+    if subjects and passive and subjects[0].head != "pronoun" and told.target is None:
+        ordered = True
+    if subjects and ordered and subjects[0].head != "pronoun" and told.target is None:
+        _take(_with(subjects[0], parts.before, reader), reader, told)
+        told.kind = "place"
+        told.destination += [*parts.objects, *parts.rest]
+        return
+    if subjects and any(v in _BEING for v in verbs) and any(v in ("not", "n't") for v in verbs):
+        _deny(subjects[0], nouns, parts.rest, reader, told)
         return
     if subjects and any(v in _BEING for v in verbs):
         _state(subjects[0], nouns, parts.rest, reader, told)
@@ -162,6 +253,8 @@ def _sentence(clause: Phrase, reader: Reader, told: Told) -> None:
             noun = _with(nouns[0], before, reader)
             if len(rest) > 1 and rest[0].tag == "PP" and noun.head == "block" and not _informative(noun):
                 noun = _with(noun, [rest.pop(0)], reader)
+            if len(rest) > 1 and rest[0].tag == "PP" and not _leads(rest[0]) and _results(rest[-1]):
+                noun = _with(noun, [rest.pop(0)], reader)
             while told.continued and rest and rest[0].tag in ("PP", "SBAR") and (
                 not _informative(noun) or not _leads(rest[0])
             ):
@@ -178,6 +271,11 @@ def _sentence(clause: Phrase, reader: Reader, told: Told) -> None:
             _add(part, reader, told)
 
 
+def _results(phrase: Phrase) -> bool:
+    """Whether a phrase tells what shall be the case afterwards: "so that it is ..."."""
+    return phrase.tag == "SBAR" and any(leaf.text in ("so", "until") for leaf in phrase.leaves[:2])
+
+
 def _leads(phrase: Phrase) -> bool:
     """Whether a phrase tells where to go: "to the right", "down two"."""
     first = phrase.leaves[0].text
@@ -186,6 +284,8 @@ def _leads(phrase: Phrase) -> bool:
 
 def _given(verbs: list[str], parts: _Parts, subjects: list[Noun], nouns: list[Noun]) -> Noun | None:
     """What is moved where the subject only gives or receives it: "the tower loses its top", "X gains a block from Y"."""
+    if any(v in _MAKING for v in verbs) and not any(s.head == "block" for s in subjects):
+        return _brought(*parts.objects, *parts.rest)
     if not subjects:
         return None
     subject = subjects[0]
@@ -193,13 +293,19 @@ def _given(verbs: list[str], parts: _Parts, subjects: list[Noun], nouns: list[No
         return replace(subject, head="block", kinds=(), directions=("up",), number=None, ordinals=(), distance=None,
                        size=0, middle=False, colors=(), modifiers=(Phrase("PP", (Word("of", "IN", 0), _noun_phrase(parts, 0))),))  # fmt: skip
     if any(v in _GAINING for v in verbs) and subject.head in ("block", "container"):
-        for phrase in (*parts.objects, *parts.rest):
-            for part in phrase.preorder():
-                if part.tag == "PP" and any(word.text in ("from", "using", "by") for word in part.words):
-                    inner = next((c for c in part.phrases if c.tag == "NP"), None)
-                    if inner is not None and read_noun(inner).head in ("block", "container", "place"):
-                        noun = read_noun(inner)
-                        return replace(noun, head="block") if noun.head == "place" else noun
+        return _brought(*parts.objects, *parts.rest)
+    return None
+
+
+def _brought(*phrases: Phrase) -> Noun | None:
+    """What "by moving X", "using X", "coming from X" name."""
+    for phrase in phrases:
+        for part in phrase.preorder():
+            if part.tag in ("PP", "VP", "S") and any(word.text in _BRINGING for word in part.words):
+                inner = next((p for p in part.preorder() if p.tag == "NP" and read_noun(p).head in _THINGS), None)
+                if inner is not None:
+                    noun = read_noun(inner)
+                    return replace(noun, head="block") if noun.head == "place" else noun
     return None
 
 
@@ -223,7 +329,7 @@ def _flat(clause: Phrase) -> _Parts:
     def visit(phrase: Phrase) -> None:
         verb = phrase.tag == "VP"
         started = bool(parts.words) and verb
-        for child in phrase.children:
+        for child in (unfolded for part in phrase.children for unfolded in _unfolded(part)):
             if not isinstance(child, Phrase):
                 parts.words.append(child)
                 started = True
@@ -245,6 +351,17 @@ def _flat(clause: Phrase) -> _Parts:
 
 def _verbal(text: str) -> bool:
     return text in _LOOKING or text in _BEING or any(text in words for words in _HANDLING.values())
+
+
+def _unfolded(part: Phrase | Word) -> tuple[Phrase | Word, ...]:
+    """A thing that was read as the measure of a prepositional phrase stands before it: "the block" "behind the tower"."""
+    if isinstance(part, Phrase) and part.tag == "PP" and len(part.children) > 1:
+        first = part.children[0]
+        if isinstance(first, Phrase) and first.tag == "NP":
+            noun = read_noun(first)
+            if noun.head in ("block", "container") and noun.definite and first.leaves[0].text in ("the", "that", "this"):
+                return (Phrase("NP", (first, Phrase("PP", part.children[1:]))),)
+    return (part,)
 
 
 def _existential(phrase: Phrase) -> bool:
@@ -295,6 +412,20 @@ def _mention(noun: Noun, reader: Reader, told: Told) -> None:
         told.plural = value.kind == "sets"
 
 
+def _same_thing(noun: Noun) -> bool:
+    """Whether a subject is what was just spoken of, or a side of it: "it", "its left side"."""
+    texts = noun.text.split()
+    return (noun.head == "pronoun" and not noun.modifiers) or (noun.head == "place" and texts[:1] == ["its"])
+
+
+def _deny(subject: Noun, nouns: list[Noun], rest: list[Phrase], reader: Reader, told: Told) -> None:
+    """ "It is not the one next to the tower"."""
+    noun = _with(nouns[0] if nouns else replace(subject, head="block"), rest, reader)
+    value = reader.noun(noun)
+    if value.kind in ("objects", "sets") and value.weights.any() and told.target is not None:
+        told.target = told.target * (1.0 - 0.9 * value.weights / float(value.weights.max()))
+
+
 def _state(subject: Noun, nouns: list[Noun], rest: list[Phrase], reader: Reader, told: Told) -> None:
     """ "The block is on the left", "it is the red one next to the tower"."""
     noun = _with(subject, rest, reader)
@@ -329,6 +460,8 @@ def _add(piece: Phrase, reader: Reader, told: Told) -> None:
             for effect in effects:
                 if isinstance(effect, Restriction) and effect.weights.any():
                     told.target = effect.weights
+                elif isinstance(effect, Rank):
+                    told.target = reader.ranked_again(np.ones(reader.scene.n), effect)
                 elif isinstance(effect, Membership) and effect.sets:
                     told.mentioned, told.plural = effect.sets[0][0].astype(float), True
         return

@@ -160,6 +160,8 @@ class _Reading:
         self.kinds: tuple[str, ...] = ()
         self.heads: list[str] = []
         self.stacked = False
+        self.away = False
+        self.counts: list[int] = []
         self.named_strangely = False
         self.behind: list[Word] = []
 
@@ -187,7 +189,8 @@ class _Reading:
             return
         for symbol in symbols:
             if isinstance(symbol, Cardinal) and not (text == "one" and (last and self.said_more)):
-                self.said["number"] = symbol.value
+                self.counts.append(symbol.value)
+                self.said["number"] = sum(self.counts) if len(self.colors) + 1 >= len(self.counts) > 1 else symbol.value
         if is_universal(text):
             self.said["universal"] = True
             return
@@ -244,6 +247,7 @@ class _Reading:
         if w.agent(text):
             self.said["agent"] = w.agent(text)
             return
+        self.away |= text == "far"
         distance = w.distance(text)
         if distance and (w.is_ranking(text) or not self.said.get("distance")):
             if w.is_ranking(text) or distance == "near":
@@ -279,6 +283,10 @@ class _Reading:
             head = "block"
         if head == "other" and (self.directions or said.get("middle") or said.get("place")):
             head = "place"
+        if head == "place" and said.get("place") and (self.away or said.get("distance") == "near"):
+            deep = "back" if self.away else "front"
+            if not {"back", "front", "up", "down"} & set(self.directions) and (said["place"] == "corner" or not self.directions):
+                self.directions.append(deep)  # "the far right corner", "the near edge"
         if head == "other" and said.get("agent"):
             head = "agent"
         if head == "block" and (number or 0) > 1:

@@ -19,9 +19,11 @@ from grounding.world import Array
 FLOOR = 0.02  # a restriction that does not hold leaves so much: words and eyes err
 STRANGE = 0.08  # a thing called by an unknown name is hardly one of those that are there
 BURIED = 0.1  # what carries something is less likely spoken of
+STACKED = 0.35  # who means the top of a stack mostly says so
 SETS = 5  # of the sets that a modifier may mean, so many are tried
 _ALIASES = {"blue": ("purple",), "purple": ("blue",), "orange": ("red", "brown"), "red": ("orange", "pink"),
             "yellow": ("orange",), "gray": ("white", "black"), "brown": ("orange",), "pink": ("red", "purple")}  # fmt: skip
+VIEWS = frozenset("perspective view viewpoint standpoint vantage position point".split())
 _OPPOSITE = {"left": "right", "right": "left", "front": "back", "back": "front", "up": "down", "down": "up"}
 _HORIZONTAL = {"up": "back", "down": "front"}
 
@@ -165,7 +167,7 @@ class Reader:
         if noun.other and self.context is not None:
             weights = weights * (1 - 0.98 * self.context)
         if not in_stack and not noun.plural and "up" not in noun.directions and "down" not in noun.directions:
-            weights = weights * np.where(scene.clear, 1.0, BURIED)
+            weights = weights * np.where(scene.clear, np.where(scene.stacked, STACKED, 1.0), BURIED)
         choices = [(np.ones(scene.n), 1.0)]
         for membership in memberships:
             tops = [s for s in membership.sets[:SETS]]
@@ -176,6 +178,8 @@ class Reader:
         found: list[tuple[np.ndarray, float]] = []
         for member, chance in choices:
             pool = weights * np.where(member > 0, 1.0, FLOOR * FLOOR)
+            if noun.only and memberships:
+                chance *= float(np.exp(-1.2 * abs(int((pool > 0.3).sum()) - 1)))
             kinds = memberships[0].kinds if memberships else ()
             picked = self._ranked(noun, pool, list(ranks), bool(memberships), in_stack, kinds)
             if noun.plural and not picked[1]:
@@ -261,7 +265,7 @@ class Reader:
             owner = noun.agent or self.view
             place = self._make_place(names, owner, noun.middle, len(names) > 1, bare=True)
             ranks.append(Rank(self._closeness(place, pool if chosen else None), None, noise))
-        if noun.distance:
+        if noun.distance and not (noun.distance == "far" and noun.directions):  # "the farthest left" is the leftmost
             sign = 1.0 if noun.distance == "near" else -1.0
             ranks.append(Rank(-sign * self._from_agent(noun.agent or ROBOT), None, noise))
         return ranks
@@ -444,8 +448,10 @@ class Reader:
         bare = noun.place is None
         if not names and noun.agent and not noun.middle:
             names = ["front"]  # "your side"
-        place = self._make_place(names, owner, noun.middle, noun.place == "corner", bare)
         of = self._owner_of(noun)
+        if of is not None and of.kind == "sets" and not (noun.directions or noun.middle) and "part" in noun.text.split():
+            return of
+        place = self._make_place(names, owner, noun.middle, noun.place == "corner", bare)
         if of is not None and of.kind in ("sets", "objects") and of.weights.any():
             return self._part(place, of, noun)
         weights = self._in_place(place, np.ones(scene.n))
@@ -519,7 +525,7 @@ class Reader:
 
     def effects(self, phrase: Phrase, base: Array) -> list[Effect]:
         """What a modifier does to the objects `base` (n,) of the noun that it follows."""
-        if phrase.tag in ("WHNP", "INTJ"):
+        if phrase.tag in ("WHNP", "INTJ") or _takes_view(phrase):
             return []
         if phrase.tag == "NP":
             return self._predicate(phrase, base)
@@ -633,7 +639,8 @@ class Reader:
             return [Restriction(self._between(noun))]
         if any(w.is_surrounded(text) for text in texts):
             return [Restriction(self._surrounded(noun))]
-        if ordinal is not None or (texts and texts[-1] == "from" and noun.head in ("place", "agent") and not said.distance):
+        start = noun.head in ("place", "agent") or (noun.directions and _plain(noun))
+        if ordinal is not None or (texts and texts[-1] == "from" and start and not said.distance):
             found = self._counted_from(noun, ordinal, base)
             if found:
                 return found
@@ -666,6 +673,10 @@ class Reader:
             if names and not agent:
                 noun = replace(noun, directions=(*noun.directions, *names))
         value = self.noun(noun)
+        if noun.head == "place" and noun.middle and not noun.directions and value.kind == "objects":
+            return [Restriction(np.maximum(value.weights, self._amid(self._owner_of(noun))))]
+        if _APART & set(texts) and value.kind in ("objects", "sets") and value.weights.any():
+            return [Restriction(1.0 - self._near(value, 1.0)), Rank(self._distance_to(value), None, scene.edge)]
         if value.kind == "agent":
             if names:
                 return self._before_agent(value.agent or ROBOT, tuple(names), strict)
@@ -729,6 +740,8 @@ class Reader:
 
     def _counted_from(self, noun: Noun, ordinal: int | None, base: Array) -> list[Effect]:
         scene = self.scene
+        if noun.head == "block" and noun.directions and _plain(noun):
+            noun = replace(noun, head="place")  # "third from the bottom block"
         value = self.noun(noun)
         noise = 0.3 * scene.edge
         if value.kind == "place" and value.place is not None:
@@ -791,7 +804,7 @@ class Reader:
         if length < 1e-6:
             return np.ones(scene.n)
         offset = scene.xy[:, None] - scene.xy[None]
-        return self._pairwise(value, scores.directed(offset, direction / length, scene.edge, strict=strict))
+        return self._pairwise(value, scores.directed(offset, scene.gaps, direction / length, scene.edge, strict=strict))
 
     def _along(self, value: Value, names: tuple[str, ...], owner: str, strict: bool) -> Restriction:
         """A direction from a reference; ordinals count away from it."""
@@ -846,8 +859,12 @@ class Reader:
 
     def _between(self, noun: Noun) -> Array:
         """Between two, or amid several."""
+        return self._amid(self.noun(noun))
+
+    def _amid(self, value: Value | None) -> Array:
         scene = self.scene
-        value = self.noun(noun)
+        if value is None:
+            return np.zeros(scene.n)
         total = np.zeros(scene.n)
         if value.kind == "sets":
             for mask, chance in value.sets[:SETS]:
@@ -896,6 +913,11 @@ def _measure(phrase: Phrase) -> float | None:
     return None
 
 
+def _plain(noun: Noun) -> bool:
+    """Whether a noun says nothing but what stands before it: "the bottom block"."""
+    return not (noun.modifiers or noun.ordinals or noun.distance or noun.colors)
+
+
 def _complement(modifier: Phrase) -> Phrase | None:
     """The noun phrase of "to X" and "from X", nothing else before it."""
     texts = [word.text for word in modifier.words]
@@ -915,6 +937,7 @@ def _of_itself(modifier: Phrase) -> bool:
     return bool({"its", "it"} & set(texts)) and any(w.directions(text) for text in texts)
 
 
+_APART = frozenset("separated apart isolated detached separate".split())
 _HANDLED = frozenset("moved earlier previously stacked_before".split())
 _EMPHASIZED = frozenset("next in beside behind above below on at by near under to against between up".split())
 
@@ -933,6 +956,11 @@ def _counted(effect: Restriction, noun: Noun) -> Array:
     if effect.order is None or not noun.ordinals:
         return effect.weights
     return np.asarray(np.sqrt(np.sqrt(effect.weights)))
+
+
+def _takes_view(phrase: Phrase) -> bool:
+    """Whether a modifier only names a viewpoint: "from your perspective"."""
+    return phrase.tag == "PP" and any(leaf.text in VIEWS for leaf in phrase.leaves) and len(phrase.leaves) <= 6
 
 
 def _relates(text: str) -> bool:

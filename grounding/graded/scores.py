@@ -7,8 +7,8 @@ import numpy as np
 from grounding.world import Array
 
 
-DECAY = 3.0
-"""A direction fades over so many edges: what is meant is usually the next one."""
+DECAY = 2.5
+"""A direction fades over gaps of so many edges: what is meant is usually the next one."""
 
 
 def logistic(values: Array) -> Array:
@@ -49,20 +49,22 @@ def ranked(weights: Array, key: Array, index: int, noise: float) -> Array:
     return np.asarray(weights * counts[:, index - 1])
 
 
-def directed(offset: Array, direction: Array, edge: float, *, strict: bool = False) -> Array:
+def directed(offset: Array, gap: Array, direction: Array, edge: float, *, strict: bool = False) -> Array:
     """How well offsets lie in a direction: ahead, little to the side, not far.
 
     Args:
         offset: from the reference, shape (..., 2) in [m].
+        gap: between the boxes, shape (...,) in [m].
         direction: unit vector (2,).
         edge: of a block [m].
-        strict: "directly": little to the side counts more.
+        strict: "directly": little to the side and near count more.
     """
     ahead = offset @ direction
     side = np.abs(offset[..., 0] * direction[1] - offset[..., 1] * direction[0])
     tolerance = (0.3 if strict else 0.6) * np.maximum(ahead, 0.0) + (0.35 if strict else 0.5) * edge
     beyond = logistic((ahead - 0.4 * edge) / (0.12 * edge))
-    return np.asarray(beyond * np.exp(-0.5 * (side / tolerance) ** 2) * np.exp(-np.maximum(ahead, 0) / (DECAY * edge)))
+    fading = np.exp(-gap / ((0.6 if strict else 1.0) * DECAY * edge))
+    return np.asarray(beyond * np.exp(-0.5 * (side / tolerance) ** 2) * fading)
 
 
 def beside(gap: Array, edge: float, reach: float) -> Array:

@@ -19,7 +19,7 @@ from grounding.features.context import context_facts
 from grounding.features.discretiser import strictness
 from grounding.features.exhaustive import every
 from grounding.geometry.layout import Layout
-from grounding.inference.engine import Children
+from grounding.inference.engine import Children, context_key
 from grounding.language.tree import Phrase
 from grounding.symbols import Symbol
 
@@ -71,21 +71,11 @@ def collect(examples: Iterable[Annotated], negatives: Negatives = PROPOSED) -> t
         for phrase in tree.preorder():
             children = tuple(groundings[id(child)] for child in phrase.phrases)
             case = _Case(phrase, children, groundings[id(phrase)], layout)
-            cases.setdefault((_merged_by(phrase, children), case.gold, id(layout)), case).count += 1
+            cases.setdefault((context_key(phrase, children), case.gold, id(layout)), case).count += 1
     for case in cases.values():
         sample = negatives.sample if case.layout.size <= negatives.things else None
         _collect_case(case, sets, coverage, sample, rng)
     return sets, coverage
-
-
-def _merged_by(phrase: Phrase, children: Children) -> object:
-    """What phrases of one world have to share to be collected once: own words, children's words and groundings.
-
-    Words further down are told by the groundings, all but a few: of those the first phrase's are taken.
-    """
-    words = tuple((word.text, word.tag) for word in phrase.words)
-    tags = tuple((child.tag, *((word.text, word.tag) for word in child.words)) for child in phrase.phrases)
-    return phrase.tag, words, tags, children
 
 
 @dataclass
