@@ -47,11 +47,24 @@ class BasePhrases:
         self.history = history
 
     def annotate(self, phrase: Phrase) -> Meaning:
-        """Ground a noun phrase without child phrases.
+        """Ground a noun phrase without child phrases; the same words are grounded once in a world.
 
         Raises:
             NotAnnotatable: a word or combination that is not covered.
         """
+        key = (self.arrangements, self.history, tuple((word.text, word.tag) for word in phrase.words))
+        known = self.select.sight.meanings.get(key)
+        if known is None:
+            try:
+                known = self._ground(phrase)
+            except NotAnnotatable as error:
+                known = str(error)
+            self.select.sight.meanings[key] = known
+        if isinstance(known, str):
+            raise NotAnnotatable(known)
+        return known
+
+    def _ground(self, phrase: Phrase) -> Meaning:
         texts = [word.text for word in phrase.words if word.tag != "UH"]
         if len(texts) == 1 and texts[0] in _PEOPLE:
             return Meaning("empty")

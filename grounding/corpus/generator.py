@@ -20,6 +20,7 @@ from grounding.corpus.annotate import annotate
 from grounding.corpus.compositions import KINDS, compose_world, dressed, recognise
 from grounding.corpus.fitting import Vocabulary, fit, vocabulary
 from grounding.corpus.format import Example
+from grounding.corpus.guided import Guide, graft
 from grounding.corpus.meaning import NotAnnotatable
 from grounding.corpus.treebank import LaidWorld, read_trees
 from grounding.corpus.variation import vary
@@ -35,6 +36,7 @@ HELD_OUT_SHARE = 0.1
 OUTCOME_SHARES = {"grounded": 0.8, "ambiguous": 0.1, "no_referent": 0.1}
 FAMILY_SHARES = {"pick": 0.34, "place": 0.28, "statement": 0.16, "description": 0.12, "clear": 0.1}
 _TREEBANK_SHARE = 0.15  # of the trees are variants of the treebank's
+_GUIDED_SHARE = 0.2  # of the examples have a description that was found in the world
 _TRIES = 160  # trees for a wanted example
 _RICH_SHARE = 0.6  # of the examples are the richest of several: simple sentences are true more often
 _CANDIDATES = 3
@@ -54,7 +56,7 @@ def generate(world: LaidWorld, rng: np.random.Generator, count: int, taken: Coun
     Returns:
         examples with ids unique for the world's name.
     """
-    making = _Making(world, rng, taken, vocabulary(world.layout, world.arrangements), _unsaid(world))
+    making = _Making(world, rng, taken, vocabulary(world.layout, world.arrangements), _unsaid(world), Guide(world))
     for _ in range(count):
         making.add(count)
     return tuple(making.found)
@@ -67,6 +69,7 @@ class _Making:
     taken: Counter[str]
     words: Vocabulary
     unsaid: frozenset[str]
+    guide: Guide
     found: list[Example] = field(default_factory=list)
     _texts: set[str] = field(default_factory=set)
     _outcomes: Counter[str] = field(default_factory=Counter)
@@ -77,10 +80,11 @@ class _Making:
         family = families[int(self.rng.choice(len(families), p=list(FAMILY_SHARES.values())))]
         topics = Topics(frozenset({family}), self.unsaid)
         best: Example | None = None
-        wanted = _CANDIDATES if self.rng.random() < _RICH_SHARE else 1
+        guided = self.rng.random() < _GUIDED_SHARE
+        wanted = 1 if guided else _CANDIDATES if self.rng.random() < _RICH_SHARE else 1
         for _ in range(_TRIES):
-            tree = self._tree(topics)
-            if self.taken[wording_of(tree)] >= MOST_COPIES or tree.text in self._texts:
+            tree = self._guided_tree(topics) if guided else self._tree(topics)
+            if tree is None or self.taken[wording_of(tree)] >= MOST_COPIES or tree.text in self._texts:
                 continue
             example = self._example(tree)
             if example is None or self._outcomes[example.outcome] >= self._most(example.outcome, count):
@@ -103,6 +107,11 @@ class _Making:
         else:
             tree = sample_tree(self.rng, topics)
         return renumber(fit(tree, self.words, self.rng))
+
+    def _guided_tree(self, topics: Topics) -> Phrase | None:
+        description = self.guide.describe(self.rng)
+        tree = None if description is None else graft(sample_tree(self.rng, topics), description)
+        return None if tree is None else renumber(tree)
 
     def _most(self, outcome: str, count: int) -> float:
         """How many examples of an outcome a world gets."""

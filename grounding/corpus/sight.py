@@ -6,12 +6,13 @@ Everything is computed once a layout and shared by all sentences in it.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Hashable, Iterable
 from functools import cached_property
 from weakref import WeakKeyDictionary
 
 import numpy as np
 
+from grounding.corpus.meaning import Meaning
 from grounding.geometry.layout import Layout
 from grounding.geometry.masks import indices_of, mask_of
 from grounding.world import Array
@@ -29,6 +30,7 @@ class Sight:
     """One world as an annotator looks at it; see `sight_of`."""
 
     def __init__(self, layout: Layout) -> None:
+        self.meanings: dict[Hashable, Meaning | str] = {}  # of base noun phrases, or why they have none
         self._things = layout.things
         self._positions = layout.positions
         self._edges = layout.edges
