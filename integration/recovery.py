@@ -156,7 +156,7 @@ def make_room(stage: Stage, name: str, refusal: NoPlan) -> bool:
     """
     scene, bodies = stage.scene, getattr(refusal.__cause__, "bodies", None) or ()
     loose = {box.name for box in scene.boxes if not box.fixed} - {name, *stage.simulator.state().held.values()}
-    for other in loose.intersection(bodies):
+    for other in sorted(loose.intersection(bodies)):
         spots = out_of_the_way(scene, other, region_of(scene, [name, other]))
         if put_at_first(stage, "clear", other, spots, "auto"):
             stage.note("hemmed", other, f"{other} was in the way of {name} and was set aside until the end")
