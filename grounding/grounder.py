@@ -43,7 +43,7 @@ class Understanding:
 
     def decided(self) -> Grounding:
         """The answer."""
-        return decide(self.text, self.readings, self.scene.layout, self.parses[0].unknown_words, self.graded)
+        return decide(self.text, self.readings, self.scene, self.parses[0].unknown_words, self.graded)
 
 
 class Grounder:

@@ -1,8 +1,8 @@
 """Pools what the factors of the ADCG and the graded readings believe into one probability for every option.
 
-The pool is log-linear: p(o) is proportional to (g(o) + e)^a (f(o) + d)^b, with g and f the shares of the graded readings
-and of the factors. Where a text is unlike what the factors were trained on they believe in nothing or in the wrong
-thing, so that their silence is weak evidence: d is large.
+The pool is log-linear: p(o) is proportional to (g(o) + e)^a (f(o) + d)^b, with g and f the shares of the graded
+readings and of the factors. Where a text is unlike what the factors were trained on they believe in
+nothing or in the wrong thing, so that their silence is weak evidence: d is large.
 """
 
 from __future__ import annotations

@@ -1,35 +1,23 @@
-"""What is said when no reading names anything: is it the words, the world, or something left open?"""
+"""What is said when no reading names anything: was it the words, or the world?"""
 
 from __future__ import annotations
 
-import itertools
-from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
-from grounding.describing import whats_missing
-from grounding.geometry.layout import Layout
-from grounding.geometry.masks import indices_of
-from grounding.inference import Hypothesis, aligned
+from grounding.graded import words as w
+from grounding.graded.discourse import _HANDLING as HANDLING
+from grounding.graded.nouns import Noun, read_noun
+from grounding.graded.reader import Reader
+from grounding.graded.scene import Scene
 from grounding.language.lexicon import meanings
 from grounding.language.tree import Phrase
-from grounding.readings import Reading
-from grounding.symbols import (
-    Action,
-    Container,
-    ContainerAttribute,
-    ObjectAttribute,
-    ObjectColor,
-    ObjectSymbol,
-    ObjectType,
-    Symbol,
-    symbol_key,
-)
+from grounding.missing import targets, unknown_things, whats_missing
 
-_NOUN_TAGS = ("NN", "NNS", "NNP", "NNPS")
-_PLACE_NOUNS = ("side", "end", "edge", "half", "corner", "hand")  # parts of things, no things
-_WORD_TAGS = ("NN", "VB", "JJ")
-_INSTRUCTED = ("PP", "SBAR", "ADVP", "VP", "S")
-_MOST = 5  # alternatives that are listed
+_OPEN_CLASSES = ("NN", "VB", "JJ")
+_AUXILIARIES = frozenset("is are was were be been being am 's 're do does did has have had will would can could "
+                         "should please".split())  # fmt: skip
+_PRONOUNS = frozenset("it them that this those these they".split())
+_HANDLED = frozenset(word for words in HANDLING.values() for word in words)
 
 
 @dataclass(frozen=True)
@@ -37,119 +25,86 @@ class Unanswered:
     """Why there is no answer.
 
     Attributes:
-        outcome: "ambiguous", "no_referent" or "not_understood".
+        outcome: "no_referent" or "not_understood".
         explanation: one sentence, for people.
-        question: where the outcome is "ambiguous".
         words: that were not understood.
-        alternatives: (action, objects, share of belief), where the outcome is "ambiguous".
     """
 
     outcome: str
     explanation: str
-    question: str | None = None
     words: tuple[str, ...] = ()
-    alternatives: tuple[tuple[str, tuple[str, ...], float], ...] = ()
 
 
-def unanswered(reading: Reading, layout: Layout, unknown: Sequence[str]) -> Unanswered:
-    """Find out why the likeliest reading names nothing.
+def unanswered(tree: Phrase, scene: Scene, unknown: tuple[str, ...]) -> Unanswered:
+    """Find out why a text names nothing.
 
     Args:
-        reading: the likeliest one.
-        layout: the world.
+        tree: its likeliest parse.
+        scene: the world.
         unknown: words that the grammar does not know.
     """
-    tree = reading.inference.tree
-    walked = list(aligned(tree, reading.hypothesis))
-    said = frozenset(symbol for _, h in walked for symbol in h.symbols)
-    asks = any(isinstance(symbol, Action) for symbol in said) or tree.tag == "NP"
-    names = any(isinstance(s, ObjectType | ObjectColor | Container) and s != Container("robot") for s in said)
-    strange = [word for word in _strange_nouns(tree, layout) if asks]
-    if not asks or not (names or strange):
-        heard = tuple(dict.fromkeys((*unknown, *_strange_words(tree))))
-        reason = "say what to handle: which block, row or tower" if asks else "this asks for no pick, place or clear"
-        if heard:
-            reason = f"I do not understand {_quoted(heard)}"
-        return Unanswered("not_understood", reason, words=heard)
+    asks = _asks(tree)
+    things = _names_things(tree)
+    strange = unknown_things(tree, scene.layout) if asks else ()
     heard = tuple(dict.fromkeys((*unknown, *strange)))
-    if strange:
-        known = sorted({item.type for item in layout.things}) or ["nothing"]
-        why = f"I know of nothing called {_quoted(strange)} here; the world has: {', '.join(known)}"
-        return Unanswered("no_referent", why, words=heard)
-    for phrase, hypothesis in reversed(walked):
-        if layout.size and _lacks_place(phrase, hypothesis):
-            return _open_place(hypothesis, layout, heard)
-    for phrase, hypothesis in reversed(walked):
-        below = frozenset().union(*(child.symbols for child in hypothesis.children), frozenset())
-        missing = whats_missing(layout, hypothesis.symbols, below)
-        if missing is not None:
-            return Unanswered("no_referent", f"{phrase.text!r}: {missing}", words=heard)
-    if not any(isinstance(s, Container) and s != Container("robot") for s in said):
-        counted = _open_count(said, layout, heard)
-        if counted is not None:
-            return counted
-    hollow = [p.text for p, h in reversed(walked) if p.tag in ("NP", "PP") and not h.symbols]
-    why = f"nothing here is {hollow[0]!r}" if hollow else "nothing in this world is what these words describe"
-    return Unanswered("no_referent", why, words=heard)
+    if asks and (things or strange):
+        missing = whats_missing(tree, scene)
+        hollow = next((p.text for p in tree.preorder() if p.tag == "NP"), tree.text)
+        return Unanswered("no_referent", missing or f"nothing here is {hollow!r}", heard)
+    pronouns = [leaf.text for leaf in tree.leaves if leaf.text in _PRONOUNS]
+    if asks and pronouns:
+        why = f"nothing was handled before, so that I do not know what {pronouns[0]!r} is; say which block"
+        return Unanswered("not_understood", why, heard)
+    if asks:
+        return Unanswered("not_understood", "say what to handle: which block, row or tower", heard)
+    heard = tuple(dict.fromkeys((*unknown, *_strange_words(tree))))
+    if heard:
+        return Unanswered("not_understood", f"I do not understand {', '.join(repr(word) for word in heard)}", heard)
+    return Unanswered("not_understood", "this asks for no pick, place or clear")
 
 
-def _lacks_place(phrase: Phrase, hypothesis: Hypothesis) -> bool:
-    """Whether a phrase asks to place something without saying where."""
-    told = any(child.tag in _INSTRUCTED for child in phrase.phrases)
-    return phrase.tag == "VP" and not told and Action("place") in hypothesis.symbols
+def open_options(tree: Phrase, scene: Scene) -> tuple[tuple[str, tuple[str, ...]], ...]:
+    """All that the bare noun of what is asked for may mean, as (action, ids); none where it is not there.
+
+    Args:
+        tree: the likeliest parse.
+        scene: the world.
+    """
+    if not _asks(tree) or whats_missing(tree, scene) is not None:
+        return ()
+    kind = next((k for k, verbs in HANDLING.items() for leaf in tree.leaves if leaf.text in verbs), "pick")
+    for target in targets(tree):
+        noun = read_noun(target)
+        if noun.head == "block" and not noun.strange:
+            bare = Noun(head="block", colors=noun.colors, definite=noun.definite)
+            weights = Reader(scene).value_of(bare)
+            return tuple((kind, (scene.layout.ids[i],)) for i in range(scene.n) if weights[i] > 0)
+    return ()
 
 
-def _open_place(hypothesis: Hypothesis, layout: Layout, heard: tuple[str, ...]) -> Unanswered:
-    why = "where to is open: say where to put it, such as on, beside or behind something"
-    below = frozenset().union(*(child.symbols for child in hypothesis.children), frozenset())
-    objects = tuple(sorted(s.id for s in below if isinstance(s, ObjectSymbol)))
-    pool = layout.everything
-    for symbol in below:
-        if isinstance(symbol, ObjectAttribute):
-            pool &= layout.matching(symbol.object_type, symbol.color)
-    meant = [objects] if objects else [(layout.ids[i],) for i in indices_of(pool)]
-    options = tuple(("place", names, 1 / len(meant)) for names in meant[:_MOST])
-    return Unanswered("ambiguous", why, "Where shall I put it?", heard, options)
+def _asks(tree: Phrase) -> bool:
+    """Whether something is asked for: a verb of handling, or a thing that is named with an article."""
+    if any(leaf.text in _HANDLED for leaf in tree.leaves):
+        return True
+    return _names_things(tree) or (tree.tag == "NP" and tree.leaves[0].tag == "DT")
 
 
-def _open_count(said: frozenset[Symbol], layout: Layout, heard: tuple[str, ...]) -> Unanswered | None:
-    """Asks which ones, where fewer are wanted than there are; None where no number leaves that open."""
-    kinds = [symbol.kind for symbol in sorted(said, key=symbol_key) if isinstance(symbol, Action)] or ["pick"]
-    for symbol in sorted(said, key=symbol_key):
-        if isinstance(symbol, ContainerAttribute) and symbol.number and symbol.relation is None:
-            there = layout.names(layout.matching(symbol.object_type, symbol.color))
-            if symbol.number < len(there):
-                noun = " ".join(filter(None, (symbol.color, symbol.object_type or "object")))
-                question = f"There are {len(there)} {noun}s; which {symbol.number} of them do you mean?"
-                sets = list(itertools.islice(itertools.combinations(there, symbol.number), _MOST))
-                share = 1 / _choose(len(there), symbol.number)
-                options = tuple((kinds[0], names, share) for names in sets)
-                return Unanswered("ambiguous", "it is open which ones are meant", question, heard, options)
-    return None
+def _names_things(tree: Phrase) -> bool:
+    return any(p.tag == "NP" and read_noun(p).head in ("block", "container") and not read_noun(p).strange
+               for p in tree.preorder())  # fmt: skip
 
 
-def _choose(total: int, taken: int) -> int:
-    ways = 1
-    for i in range(taken):
-        ways = ways * (total - i) // (i + 1)
-    return ways
+def _strange_words(tree: Phrase) -> list[str]:
+    return [
+        leaf.text
+        for leaf in tree.leaves
+        if leaf.tag[:2] in _OPEN_CLASSES and not meanings(leaf.text) and not _known(leaf.text)
+    ]
 
 
-def _strange_nouns(tree: Phrase, layout: Layout) -> Iterator[str]:
-    types = layout.types
-    for phrase in tree.preorder():
-        nouns = [word for word in phrase.words if word.tag in _NOUN_TAGS]
-        if phrase.tag == "NP" and nouns:
-            noun = nouns[-1].text
-            if not meanings(noun) and noun not in types and noun not in _PLACE_NOUNS:
-                yield noun
-
-
-def _strange_words(tree: Phrase) -> Iterator[str]:
-    for leaf in tree.leaves:
-        if leaf.tag[:2] in _WORD_TAGS and not meanings(leaf.text):
-            yield leaf.text
-
-
-def _quoted(words: Sequence[str]) -> str:
-    return ", ".join(f"'{word}'" for word in words)
+def _known(text: str) -> bool:
+    """Whether a word means something to the graded readings, or is one that only joins others."""
+    return bool(text in _AUXILIARIES or text in _HANDLED or w.directions(text) or w.distance(text) or w.place(text)
+                or w.containers(text) or w.is_block(text) or w.is_table(text) or w.is_measure(text) or w.agent(text)
+                or w.is_middle(text) or w.is_lone(text) or w.is_other(text) or w.is_touching(text)
+                or w.is_beside(text) or w.is_between(text) or w.is_surrounded(text))  # fmt: skip

@@ -4,15 +4,12 @@ import functools
 import re
 
 import numpy as np
-import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
 from grounding.corpus.composer import compose
-from grounding.describing import name_object, name_objects, whats_missing
+from grounding.describing import name_object, name_objects
 from grounding.geometry.layout import Layout
-from grounding.geometry.masks import indices_of
-from grounding.symbols import Cardinal, Container, ContainerAttribute, ObjectAttribute
 from grounding.world import World, make_object
 
 DIRECTIONS = {"leftmost": "left", "rightmost": "right", "nearest": "near", "farthest": "far", "middle": "center"}
@@ -68,42 +65,9 @@ def test_examples():
     assert name_object(layout, "b2") == "the leftmost red block"
     assert name_objects(layout, ("b1",)) == "the blue block"
     assert name_objects(layout, ("b0", "b1")) == "the rightmost red block and the blue block"
-    assert name_objects(layout, ("b0", "b1", "b2")) == "the row of 3"
+    assert name_objects(layout, ("b0", "b1", "b2")) == "the row of three"
 
 
 def test_furniture_is_called_what_it_is():
     layout = Layout(World((*world("red").objects, make_object("t1", "table"))))
     assert name_object(layout, "t1") == "the table"
-
-
-@pytest.mark.parametrize(
-    ("symbol", "says"),
-    [
-        (ObjectAttribute("block", "green"), "no green block; what is here is blue and red"),
-        (ContainerAttribute("block", "green", None, 2), "no green block"),
-        (ObjectAttribute("mug"), "no mug here; the world has block"),
-        (ObjectAttribute("block", "red", "left", 4), "no red block number 4; there are 2"),
-        (Container("circle"), "no circle here"),
-    ],
-)
-def test_what_is_missing_is_said(symbol, says):
-    layout = Layout(world("red", "blue", "red"))
-    assert says in whats_missing(layout, frozenset({symbol}), frozenset())
-    assert says in whats_missing(layout, frozenset(), frozenset({symbol}))
-
-
-def test_a_shorter_row_is_said():
-    layout = Layout(world("red", "red", "red"))
-    symbols = frozenset({Container("row"), ContainerAttribute("block", None, None, 7)})
-    assert whats_missing(layout, symbols, frozenset()) == "there is no row of 7; the largest has 3"
-
-
-def test_nothing_is_missing_where_all_is_there():
-    layout = Layout(world("red", "blue", "red"))
-    symbols = frozenset({ObjectAttribute("block", "red", "left", 2), Container("row"), Container("robot"), Cardinal(3)})
-    assert whats_missing(layout, symbols, frozenset()) is None
-    assert list(indices_of(layout.matching("block", "red"))) == [0, 2]
-
-
-def test_an_empty_world_lacks_everything():
-    assert whats_missing(Layout(World(())), frozenset(), frozenset()) == "there is nothing on the table"

@@ -81,7 +81,7 @@ def test_a_world_without_blocks(capsys, tmp_path):
     path = tmp_path / "world.json"
     path.write_text('{"objects": []}', encoding="utf-8")
     assert main(["ground", "pick up the block", "--world", str(path)]) == 3
-    assert capsys.readouterr().out == "no_referent: 'the block': there is nothing on the table\n"
+    assert capsys.readouterr().out == "no_referent: there is nothing on the table\n"
 
 
 def test_people_are_told_everything():

@@ -1,0 +1,271 @@
+"""Descriptions that tell things apart: of many that could be said, the shortest that the reader itself understands.
+
+Every candidate is a noun phrase as a tree. The graded reader reads it as if a person had said it, and its weights tell
+how likely it leads to the thing that is to be described: a question made of such descriptions can be answered in its
+own words.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from grounding.describing import name_object
+from grounding.graded.reader import Reader
+from grounding.graded.scene import ROBOT, SPEAKER, Scene
+from grounding.language.tree import Phrase, Word
+from grounding.numbers import spelled
+from grounding.world import Array
+
+CLEAR = 0.75  # what leads to its thing with such a share of all weight is understood
+AMONG = 0.9  # and with such a share among the things in question
+AMBIGUOUS = 0.5  # what leads to its thing with no greater share is not said
+HOLDS = 0.3  # what holds to a lesser degree is not said
+_LANDMARKS = 8
+_LARGEST = 12  # arrangements of more are not counted at sight
+_NEAR = 3.0  # a thing is described by others at most so many edges away
+_SIDES = {"left": "on the left", "right": "on the right", "front": "at the front", "back": "at the back"}
+_RELATIONS = ("behind", "in front of", "to the left of", "to the right of", "next to")
+_TAGS = {"the": "DT", "a": "DT", "of": "IN", "to": "TO", "on": "IN", "in": "IN", "at": "IN", "next": "JJ",
+         "behind": "IN", "from": "IN", "under": "IN", "me": "PRP", "you": "PRP", "my": "PRP$",
+         "your": "PRP$"}  # fmt: skip
+_SWAPPED = {"me": "you", "you": "me", "my": "your", "your": "my"}
+_NOUNS = frozenset("left right front back top bottom middle table row column tower circle group corner side".split())
+
+
+@dataclass(frozen=True)
+class Description:
+    """A way to speak of a thing.
+
+    Attributes:
+        text: as the robot says it; "you" is the person.
+        noun: the kind of thing in it, with its colour ("red block"), which "one" can stand for.
+        cost: how long and how unusual it is.
+    """
+
+    text: str
+    noun: str
+    cost: float = 0.0
+
+    def again(self) -> str:
+        """As it is said where the same kind of thing has just been named."""
+        return self.text.replace(self.noun, "one", 1) if self.noun else self.text
+
+
+@dataclass(frozen=True)
+class _Candidate:
+    tree: Phrase
+    noun: str
+    cost: float
+
+
+class Describer:
+    """Describes the things of one scene.
+
+    Args:
+        scene: the world.
+    """
+
+    def __init__(self, scene: Scene) -> None:
+        self.scene = scene
+        views = [ROBOT] if scene.layout.world.speaker is None else [ROBOT, SPEAKER]
+        self._readers = [Reader(scene, view) for view in views]
+        self._worth: dict[str, Array] = {}
+        self._named: dict[int, str] = {}
+
+    def describe(self, name: str, among: Sequence[str] = ()) -> Description:
+        """The best description of a thing.
+
+        Args:
+            name: its id.
+            among: ids of what it could be confused with; all things by default.
+        """
+        layout = self.scene.layout
+        if name not in layout.index:
+            return Description(name_object(layout, name), layout.world[name].type)
+        index = layout.index[name]
+        rivals = np.array([i != index and (not among or layout.ids[i] in among) for i in range(layout.size)])
+        best: Description | None = None
+        vague, share = None, AMBIGUOUS
+        for candidate in self._candidates(index):
+            if best is not None and candidate.cost >= best.cost:
+                continue
+            weights = self._weights(candidate.tree)
+            held, total = float(weights[index]), float(weights.sum())
+            rivalled = held + float(weights[rivals].sum())
+            if held < HOLDS or held < CLEAR * total or held < AMONG * rivalled:
+                if held >= HOLDS and held > share * max(rivalled, 0.7 * total):
+                    share = held / max(rivalled, 0.7 * total)
+                    vague = Description(_said(candidate.tree.text), candidate.noun, 1.0)
+                continue
+            best = Description(_said(candidate.tree.text), candidate.noun, candidate.cost + (1 - held / total))
+        if best is not None:
+            return best
+        item = layout.things[index]
+        text = name_object(layout, name, among)
+        if text.endswith(f" {name}") and vague is not None:
+            return vague
+        return Description(text, next((n for n in (f"{item.color} {item.type}", item.type) if n in text), ""))
+
+    def _weights(self, tree: Phrase) -> Array:
+        """How well a phrase leads to every thing, by the view that understands it worst, shape (n,)."""
+        text = tree.text
+        if text not in self._worth:
+            self._worth[text] = np.min([reader.value(tree).weights for reader in self._readers], axis=0)
+        return self._worth[text]
+
+    def _candidates(self, index: int) -> Iterator[_Candidate]:
+        """Noun phrases that may be true of a thing, the plainer ones first."""
+        layout = self.scene.layout
+        item = layout.things[index]
+        coloured = len(layout.colors) > 1 and item.color != "unknown"
+        noun = f"{item.color} {item.type}" if coloured else item.type
+        yield _Candidate(_base(f"the {noun}"), noun, 0.0)
+        for cost, words in self._extremes():
+            yield _Candidate(_base(f"the {words} {noun}"), noun, cost)
+        bare = _base(f"the {noun}")
+        for cost, words in self._places(index):
+            yield _Candidate(_modified(bare, _phrase(words)), noun, cost)
+        for cost, modifier in self._relations(index):
+            yield _Candidate(_modified(bare, modifier), noun, cost)
+        yield from self._within(index, noun)
+        for cost, words in self._ordinals():
+            yield _Candidate(_base(f"the {words} {noun}"), noun, cost)
+
+    def _extremes(self) -> Iterator[tuple[float, str]]:
+        if len(self._readers) == 1:
+            yield from ((0.05, f"{side}most") for side in ("left", "right"))
+            yield from ((0.05, word) for word in ("nearest", "farthest"))
+        yield 0.08, "middle"
+
+    def _ordinals(self) -> Iterator[tuple[float, str]]:
+        words = ("nearest", "farthest") if len(self._readers) > 1 else ("leftmost", "rightmost", "nearest", "farthest")
+        for place, rank in enumerate(("second", "third", "fourth")):
+            yield from ((0.3 + 0.1 * place, f"{rank} {word}") for word in words)
+
+    def _places(self, index: int) -> Iterator[tuple[float, str]]:
+        if len(self._readers) == 1:
+            yield from ((0.07, words) for words in _SIDES.values())
+        else:  # whose left it is has to be said where people face each other
+            yield from ((0.05, f"{word} to {who}") for word in ("closest", "farthest") for who in ("me", "you"))
+            yield from ((0.06, f"on my {side}") for side in ("left", "right"))
+            yield from ((0.2, f"farthest to my {side}") for side in ("left", "right"))
+        yield 0.15, "in the middle of the table"
+        if len(self._readers) == 1:
+            corners = [f"{depth} {side}" for depth in ("front", "back") for side in ("left", "right")]
+            yield from ((0.2, f"in the {corner} corner") for corner in corners)
+
+    def _relations(self, index: int) -> Iterator[tuple[float, Phrase]]:
+        """Relations to what is named plainly and lies near, and to towers and rows that are the only ones."""
+        scene = self.scene
+        relations = _RELATIONS if len(self._readers) == 1 else ("next to",)
+        gaps = scene.gaps[index]
+        order = [int(i) for i in np.argsort(gaps, kind="stable") if i != index and gaps[i] < _NEAR * scene.edge]
+        stacked = scene.apart[index] < 0.5 * scene.edge
+        for other in order[:_LANDMARKS]:
+            reference = self._landmark(other)
+            if reference is None:
+                continue
+            if stacked[other]:
+                words = ("on top of", "on") if scene.z[index] > scene.z[other] else ("under",)
+                yield from ((0.08, _phrase(word, reference)) for word in words)
+            else:
+                yield from ((0.15, _phrase(word, reference)) for word in relations)
+        for outside, name in self._arrangements(index):
+            if outside:
+                yield from ((0.14 + 0.05 * len(name.phrases), _phrase(word, name)) for word in relations)
+            else:
+                yield 0.12, _phrase("in", name)
+
+    def _within(self, index: int, noun: str) -> Iterator[_Candidate]:
+        """Places in an arrangement: "the middle block in the row of five"."""
+        ranks = [word for _, word in self._ordinals()]
+        words = ["middle", *(word for _, word in self._extremes()), "top", "bottom", *ranks]
+        for outside, name in self._arrangements(index):
+            if not outside:
+                for place, word in enumerate(dict.fromkeys(words)):
+                    cost = 0.2 + 0.02 * place + 0.05 * len(name.phrases)
+                    yield _Candidate(_modified(_base(f"the {word} {noun}"), _phrase("in", name)), noun, cost)
+
+    def _arrangements(self, index: int) -> list[tuple[bool, Phrase]]:
+        """Arrangements that their kind or number singles out, and whether a thing is outside of them."""
+        layout, found = self.scene.layout, []
+        for kind in ("tower", "row", "column", "circle"):
+            evident = layout.prominent(a for a in layout.arrangements if a.kind == kind and a.evident)
+            counts = [a.count for a in evident]
+            for a in evident:
+                if counts.count(a.count) == 1 and a.count <= _LARGEST:
+                    outside, name = not a.mask >> index & 1, _base(f"the {kind}")
+                    if len(evident) == 1:
+                        found.append((outside, name))
+                    members = Phrase("NP", (Word(spelled(a.count), "CD", 0), Word("blocks", "NNS", 1)))
+                    found.append((outside, _modified(name, _phrase("of", members))))
+        return found
+
+    def _landmark(self, index: int) -> Phrase | None:
+        """A thing that its colour alone singles out."""
+        item = self.scene.layout.things[index]
+        if item.color == "unknown" or self.scene.layout.matching(item.type, item.color) != 1 << index:
+            return None
+        return _base(f"the {item.color} {item.type}")
+
+
+def listed_descriptions(descriptions: Sequence[Description], rest: int = 0) -> str:
+    """Descriptions as alternatives: "the red block on the left or the one behind the tower".
+
+    Args:
+        descriptions: what is named.
+        rest: how many more there are.
+    """
+    texts: list[str] = []
+    last = None
+    for description in descriptions:
+        again = description.again()
+        short = description.noun and description.noun == last and again != description.text and again != "the one"
+        texts.append(again if short else description.text)
+        last = description.noun
+    texts = list(dict.fromkeys(texts))
+    if rest > 0:
+        texts.append("another one" if rest == 1 else f"one of {spelled(rest)} others")
+    if len(texts) == 1:
+        return texts[0]
+    return f"{', '.join(texts[:-1])}{',' if len(texts) > 2 else ''} or {texts[-1]}"
+
+
+def _said(text: str) -> str:
+    """What a person would say, turned into what the robot says: "me" and "you" change places."""
+    return " ".join(_SWAPPED.get(word, word) for word in text.split())
+
+
+def _word(text: str, place: int) -> Word:
+    return Word(text, _TAGS.get(text, "NN" if text in _NOUNS else "JJ"), place)
+
+
+def _base(text: str) -> Phrase:
+    """A noun phrase of words only; the last one is its noun."""
+    *before, noun = text.split()
+    return Phrase("NP", (*(_word(word, i) for i, word in enumerate(before)), Word(noun, "NN", len(before))))
+
+
+def _phrase(words: str, reference: Phrase | None = None) -> Phrase:
+    """A modifier: words before a reference, or before the noun phrase that its own last words are."""
+    texts = words.split()
+    if reference is None:
+        start = next((i for i, text in enumerate(texts) if text in ("the", "my", "your", "me", "you")), len(texts))
+        if texts[-3:-2] == ["of"] or "of" in texts[start:]:
+            place = texts.index("of", start)
+            inner = _phrase("of", _base(" ".join(texts[place + 1 :])))
+            reference = _modified(_base(" ".join(texts[start:place])), inner)
+        else:
+            reference = _base(" ".join(texts[start:]))
+        texts = texts[:start]
+    elif texts[-1] == "of" and len(texts) > 2:
+        inner = _base(" ".join(texts[1:-1]))
+        reference, texts = _modified(inner, _phrase("of", reference)), texts[:1]
+    return Phrase("PP", (*(_word(text, i) for i, text in enumerate(texts)), reference))
+
+
+def _modified(noun: Phrase, modifier: Phrase) -> Phrase:
+    return Phrase("NP", (noun, modifier))

@@ -1,0 +1,55 @@
+"""What a text says against acting: what is forbidden, or told of the past, must not be done."""
+
+from __future__ import annotations
+
+from grounding.language.tree import Phrase
+
+_NEGATIONS = frozenset(("not", "n't", "never", "don't", "dont"))
+_STATING = frozenset(("is", "are", "'s", "does", "was", "were", "am", "be", "will", "would", "should", "has", "have"))
+_CLAUSES = ("VP", "S")
+
+
+def forbidden(tree: Phrase) -> str | None:
+    """Why a text must not be acted upon, as a sentence for people; None where nothing speaks against it.
+
+    A negation forbids where it stands with the verb of a command ("do not touch the tower"); in what describes things
+    ("the one that is not blue", "it is not near the tower") it tells which is meant.
+
+    Args:
+        tree: the parse.
+    """
+    clauses = _commands(tree)
+    denied = [clause for clause in clauses if _denies(clause)]
+    if denied and len(denied) == len(clauses):
+        text = denied[0].text.replace(" n't", "n't")
+        return f"{text!r} tells me what not to do; say what to do"
+    return None
+
+
+def without_forbidden(tree: Phrase) -> Phrase:
+    """The tree without the sentences that forbid, where others tell what to do."""
+    if tree.tag != "FRAG" or not any(_denies(clause) for clause in tree.phrases):
+        return tree
+    kept = tuple(child for child in tree.children if not (isinstance(child, Phrase) and _denies(child)))
+    return Phrase(tree.tag, kept) if any(isinstance(child, Phrase) for child in kept) else tree
+
+
+def _commands(tree: Phrase) -> list[Phrase]:
+    return [clause for child in tree.phrases for clause in _commands(child)] if tree.tag == "FRAG" else [tree]
+
+
+def _denies(clause: Phrase) -> bool:
+    """Whether the verb of a clause is denied, not what the clause says of things."""
+    for phrase in _verbal(clause):
+        texts = [leaf.text for word in phrase.children for leaf in ([word] if not isinstance(word, Phrase) else
+                 word.leaves if word.tag in ("PP", "ADVP", "PRT") and not word.phrases else [])]  # fmt: skip
+        if _NEGATIONS & set(texts) and not _STATING & set(texts):
+            return True
+    return False
+
+
+def _verbal(clause: Phrase) -> list[Phrase]:
+    """The clause and the verb phrases it is made of, outside of what modifies things."""
+    if clause.tag not in _CLAUSES:
+        return []
+    return [clause, *(deeper for child in clause.phrases for deeper in _verbal(child))]

@@ -1,0 +1,68 @@
+"""The question that best tells alternatives apart, in words that an answer can use."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from grounding.describing import name_objects
+from grounding.distinguishing import Describer, Description, listed_descriptions
+from grounding.numbers import listed, spelled
+from grounding.result import Destination, GroundedAction
+
+NAMED = 3  # alternatives that a question names; the others are counted
+
+_WHERE = {"top": "on", "near": "next to", "front": "in front of", "back": "behind", "between": "between",
+          "left": "to the left of", "right": "to the right of", "center": "in the middle of", "bottom": "under",
+          "far": "far from"}  # fmt: skip
+
+
+def question(actions: Sequence[GroundedAction], describer: Describer, more: int = 0) -> str:
+    """Asks which action is meant.
+
+    Args:
+        actions: the alternatives, the likeliest first; at least one.
+        describer: of the world's things.
+        more: how many alternatives there are besides.
+    """
+    meant = list(dict.fromkeys(action.objects for action in actions))
+    if len(meant) > 1 or (len(actions) == 1 and more):
+        return _which(meant, describer, more)
+    kinds = sorted({action.action for action in actions})
+    thing = describe_objects(meant[0], describer)
+    if len(kinds) > 1:
+        return f"Shall I {listed(kinds, 'or')} {thing}?"
+    places = list(dict.fromkeys(where(a.destination, describer) for a in actions[:NAMED] if a.destination is not None))
+    if len(places) > 1:
+        return f"Where do you want {thing}: {listed(places, 'or')}?"
+    return f"Do you mean {thing}?"
+
+
+def describe_objects(names: Sequence[str], describer: Describer, among: Sequence[str] = ()) -> str:
+    """What tells objects from others, in words."""
+    if len(names) == 1:
+        return describer.describe(names[0], among).text
+    return name_objects(describer.scene.layout, names)
+
+
+def where(destination: Destination, describer: Describer) -> str:
+    """Where a destination is, in words."""
+    if destination.relation is None or not destination.reference:
+        x, y, _ = destination.position
+        return f"at ({x:.2f}, {y:.2f}) m"
+    return f"{_WHERE[destination.relation]} {describe_objects(destination.reference, describer)}"
+
+
+def _which(meant: Sequence[tuple[str, ...]], describer: Describer, more: int) -> str:
+    rivals = tuple(dict.fromkeys(name for objects in meant for name in objects))
+    named = list(meant[:NAMED])
+    rest = len(meant) - len(named) + more
+    sizes = {len(objects) for objects in meant}
+    if sizes != {1} and len(sizes) == 1 and len(meant) > NAMED:
+        return f"Which {spelled(sizes.pop())} of them do you mean?"
+    found = [
+        describer.describe(objects[0], rivals)
+        if len(objects) == 1
+        else Description(name_objects(describer.scene.layout, objects), "")
+        for objects in named
+    ]
+    return f"Do you mean {listed_descriptions(found, rest)}?"
