@@ -14,7 +14,9 @@ from grounding.corpus.compositions import KINDS, compose_world, recognise
 from grounding.corpus.fitting import fit, vocabulary
 from grounding.corpus.format import Corpus, example_from_json, example_to_json, read_corpus
 from grounding.corpus.generator import MOST_COPIES, generate, is_held_out, wording_of
+from grounding.corpus.guided import Guide, graft
 from grounding.corpus.making import make_corpus
+from grounding.corpus.meaning import NotAnnotatable
 from grounding.corpus.sight import CONTACT, sight_of
 from grounding.corpus.wording import sample_tree
 from grounding.errors import CorpusError
@@ -140,6 +142,28 @@ def test_sentences_are_suited_to_their_world():
         tree = fit(sample_tree(rng), words, rng)
         said.update(s.name in words.colors for leaf in tree.leaves for s in _colors(leaf.text))
     assert said[True] > 5 * said[False]
+
+
+def test_descriptions_found_in_a_world_single_out_a_block_there():
+    rng = np.random.default_rng(4)
+    told = Counter()
+    for number in range(6):
+        laid = compose_world(rng, f"w{number}", "composed", 12)
+        guide = Guide(laid)
+        for description in filter(None, (guide.describe(rng) for _ in range(20))):
+            try:
+                told[annotate(description, laid.layout, laid.arrangements)[1]] += 1
+            except NotAnnotatable:
+                told["refused"] += 1
+    assert told["grounded"] > 40
+    assert told["grounded"] > 4 * (told["refused"] + told["ambiguous"] + told["no_referent"])
+
+
+def test_a_description_takes_the_place_of_a_block():
+    tree = from_brackets("(VP (VB put) (NP (PRP it)) (PP (IN on) (NP (DT the) (JJ red) (NN block))))")[0]
+    description = from_brackets("(NP (DT the) (JJ closest) (NN cube))")[0]
+    assert graft(tree, description).text == "put it on the closest cube"
+    assert graft(from_brackets("(VP (VB clear) (NP (DT the) (NN row)))")[0], description) is None
 
 
 def _colors(text):
