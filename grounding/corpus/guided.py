@@ -14,6 +14,7 @@ import numpy as np
 
 from grounding.corpus.base_phrases import BasePhrases
 from grounding.corpus.meaning import NotAnnotatable
+from grounding.corpus.prepositions import MOST_REFERENCES
 from grounding.corpus.selector import Selector
 from grounding.corpus.sight import sight_of
 from grounding.corpus.treebank import LaidWorld
@@ -35,6 +36,7 @@ _RELATIONS: dict[str, tuple[str, ...]] = {
     "touching": ("touching/VBG",),
 }
 _BETWEEN = ("between/IN", "between/IN", "in/IN between/IN")
+_TRIES = 4  # blocks that are looked at
 _NUMBERS = {2: "two", 3: "three", 4: "four"}
 
 
@@ -49,6 +51,10 @@ class Guide:
 
     def describe(self, rng: np.random.Generator) -> Phrase | None:
         """A description by a relation that is true of one block only, or None where none was found."""
+        found = (self._try(rng) for _ in range(_TRIES))
+        return next(filter(None, found), None)
+
+    def _try(self, rng: np.random.Generator) -> Phrase | None:
         layout = self.layout
         target = int(rng.integers(layout.size))
         item = layout.things[target]
@@ -108,7 +114,8 @@ class Guide:
         color = colors[int(rng.integers(len(colors)))]
         near = self._inside("near", target) & self.layout.matching(None, color)
         number = near.bit_count()
-        if number not in _NUMBERS:
+        some = self.layout.matching(None, color).bit_count()
+        if number not in _NUMBERS or some > MOST_REFERENCES:
             return None
         contact = rng.random() < 0.4
         words = [(_NUMBERS[number], "CD"), (color, "JJ"), ("blocks", "NNS")]
