@@ -146,6 +146,8 @@ def remove_leaning(stage: Stage, name: str) -> None:
 def make_room(stage: Stage, name: str, refusal: NoPlan) -> bool:
     """Sets aside, until the end, the block that keeps the hand from an object; False where that is not what does.
 
+    Only with both hands empty and at home: an arm that is stuck between blocks is not where it is taken to be.
+
     Args:
         stage: where it is done.
         name: the object, which fell or was pushed to where it is.
@@ -154,9 +156,12 @@ def make_room(stage: Stage, name: str, refusal: NoPlan) -> bool:
     Raises:
         Trouble: something was not as planned.
     """
-    scene, bodies = stage.scene, getattr(refusal.__cause__, "bodies", None) or ()
-    loose = {box.name for box in scene.boxes if not box.fixed} - {name, *stage.simulator.state().held.values()}
+    bodies = getattr(refusal.__cause__, "bodies", None) or ()
+    loose = {box.name for box in stage.scene.boxes if not box.fixed} - {name}
     for other in sorted(loose.intersection(bodies)):
+        if stage.simulator.state().held or not all(_withdraw(stage, arm) for arm in ARMS):
+            return False
+        scene = stage.scene
         spots = out_of_the_way(scene, other, region_of(scene, [name, other]))
         if put_at_first(stage, "clear", other, spots, "auto"):
             stage.note("hemmed", other, f"{other} was in the way of {name} and was set aside until the end")
