@@ -27,6 +27,7 @@ CONFIDENT = 0.62  # by the factors alone an answer is given when it is so likely
 LISTED = 0.01  # alternatives less likely than this are not worth naming
 MOST = 5
 
+_ASIDE = frozenset(("aside", "away", "out"))  # "move it out of the way"
 _OPEN_PLACE = "Where shall I put it?"
 
 
@@ -130,9 +131,11 @@ def _pooled(found: Sequence[Reading], scene: Scene, graded: GradedBelief) -> Bel
     if not options:
         return None
     best, second = options[0].probability, options[1].probability if len(options) > 1 else 0.0
-    several = found[0].inference.tree.tag == "FRAG"
+    tree = found[0].inference.tree
+    several = tree.tag == "FRAG"
+    aside = any(leaf.text in _ASIDE for leaf in tree.leaves)
     actions = tuple(
-        _action_of(option, shares, graded, scene.layout, several) for option in options[: MOST + 1]
+        _action_of(option, shares, graded, scene.layout, several, aside) for option in options[: MOST + 1]
         if option.probability >= LISTED or option is options[0]
     )  # fmt: skip
     bearer = next((r for a, r in bearers.items() if a.objects == options[0].objects), None)
@@ -179,7 +182,7 @@ def _shares(found: Sequence[Reading]) -> tuple[dict[Action, float], dict[Action,
 
 
 def _action_of(
-    option: Pooled, shares: dict[Action, float], graded: GradedBelief, layout: Layout, several: bool
+    option: Pooled, shares: dict[Action, float], graded: GradedBelief, layout: Layout, several: bool, aside: bool
 ) -> GroundedAction:
     """An option as an action; of several sentences the graded readings know best what is to be done in the end."""
     kind = option.kinds[0][0]
@@ -191,6 +194,8 @@ def _action_of(
         if destination is None:
             regions = [a.destination for a in shares if a.kind == "place" and a.objects == option.objects]
             destination = next((d for r in regions if (d := _destination(r, option.objects, layout)) is not None), None)
+    if kind == "place" and destination is None and aside:
+        kind = "clear"
     return GroundedAction(kind, option.objects, option.probability, destination)
 
 

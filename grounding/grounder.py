@@ -5,12 +5,14 @@ from __future__ import annotations
 import time
 from collections import OrderedDict
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import models
+from grounding.course import Course
 from grounding.dialogue import decide
 from grounding.factors import load_model
+from grounding.forbidding import without_forbidden
 from grounding.geometry.layout import Layout
 from grounding.graded.belief import GradedBelief, believe
 from grounding.graded.scene import Scene
@@ -18,6 +20,7 @@ from grounding.inference import Adcg
 from grounding.language.parser import Parse, Parser
 from grounding.readings import Reading, readings
 from grounding.result import Grounding
+from grounding.steps import Step, split
 from grounding.world import World
 
 KEPT_SCENES = 16
@@ -43,7 +46,10 @@ class Understanding:
 
     def decided(self) -> Grounding:
         """The answer."""
-        return decide(self.text, self.readings, self.scene, self.parses[0].unknown_words, self.graded)
+        tree = self.readings[0].inference.tree
+        parse = next((parse for parse in self.parses if parse.tree is tree), self.parses[0])
+        result = decide(self.text, self.readings, self.scene, parse.unknown_words, self.graded)
+        return replace(result, mended=parse.mended)
 
 
 class Grounder:
@@ -83,14 +89,41 @@ class Grounder:
         Raises:
             LanguageError: the text has no words.
         """
+        return self.follow(self.course(text, world, history))[0]
+
+    def course(self, text: str, world: World, history: Sequence[str] = ()) -> Course:
+        """The steps of an instruction, none of them grounded yet; see `ground`."""
         start = time.perf_counter()
-        result = self.understand(text, world, history).decided()
-        return result.timed(1000 * (time.perf_counter() - start))
+        steps = split(self._parsed(text), self.scene(world), history)
+        return Course(text, steps, world, tuple(history), milliseconds=1000 * (time.perf_counter() - start))
+
+    def follow(self, course: Course) -> tuple[Grounding, Course]:
+        """Ground the steps that are left, as far as they have answers.
+
+        Returns:
+            the answer to all, or what is to be said of the first step that has none, and the course as far as it came.
+        """
+        start = time.perf_counter()
+        last = None
+        while last is None and (step := course.next) is not None:
+            scene = self.scene(course.world)
+            text = course.text if len(course.steps) == 1 else step[0].tree.text
+            answer = self._read(text, step, scene, course.history).decided()
+            if answer.outcome == "grounded":
+                course = course.after(answer)
+            else:
+                last = answer
+        return course.result(last).timed(course.milliseconds + 1000 * (time.perf_counter() - start)), course
 
     def understand(self, text: str, world: World, history: Sequence[str] = ()) -> Understanding:
-        """Read an instruction in every way that is likely; see `ground`."""
-        parses = self.parser.parse(text, self.parses)
-        scene = self.scene(world)
+        """Read an instruction as one thing to do, in every way that is likely; see `ground`."""
+        return self._read(text, self._parsed(text), self.scene(world), history)
+
+    def _parsed(self, text: str) -> tuple[Parse, ...]:
+        """The parses, without sentences that forbid where others tell what to do."""
+        return tuple(replace(p, tree=without_forbidden(p.tree)) for p in self.parser.parse(text, self.parses))
+
+    def _read(self, text: str, parses: Step, scene: Scene, history: Sequence[str]) -> Understanding:
         graded = believe(parses, scene, history)
         kept = graded.parses()[: self.inferred] or range(min(len(parses), self.inferred))
         likely = [parses[place] for place in kept]

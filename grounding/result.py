@@ -94,13 +94,14 @@ class Grounding:
     Attributes:
         instruction: as it was given.
         outcome: one of `OUTCOMES`.
-        actions: what to do; empty unless `outcome` is "grounded".
+        actions: what to do, in order; empty unless `outcome` is "grounded".
         alternatives: other readings, the likeliest first.
         question: that tells the alternatives apart, where the outcome is "ambiguous".
         explanation: one sentence on the outcome, for people.
         unknown_words: words that are in neither lexicon nor treebank.
         milliseconds: how long it took.
         phrases: every phrase of the parse that was taken, outer ones first.
+        mended: words that were read as others: (as written, as read).
     """
 
     instruction: str
@@ -112,14 +113,15 @@ class Grounding:
     unknown_words: tuple[str, ...] = ()
     milliseconds: float = 0.0
     phrases: tuple[PhraseGrounding, ...] = field(default=(), repr=False)
+    mended: tuple[tuple[str, str], ...] = ()
 
     def timed(self, milliseconds: float) -> Grounding:
         """The same answer with the time it took."""
         return replace(self, milliseconds=milliseconds)
 
     def to_json(self) -> dict[str, Any]:
-        """Plain values, the result format."""
-        return {
+        """Plain values, the result format; "mended" only where words were."""
+        data = {
             "instruction": self.instruction,
             "outcome": self.outcome,
             "actions": [action.to_json() for action in self.actions],
@@ -130,3 +132,6 @@ class Grounding:
             "milliseconds": round(self.milliseconds, 3),
             "phrases": [phrase.to_json() for phrase in self.phrases],
         }
+        if self.mended:
+            data["mended"] = [list(pair) for pair in self.mended]
+        return data

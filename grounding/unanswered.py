@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from grounding.graded import words as w
-from grounding.graded.discourse import _HANDLING as HANDLING
+from grounding.graded.discourse import HANDLING
 from grounding.graded.nouns import Noun, read_noun
 from grounding.graded.reader import Reader
 from grounding.graded.scene import Scene

@@ -13,7 +13,7 @@ from grounding.graded.values import Membership, Rank, Restriction, Value
 from grounding.language.tree import Phrase, Word
 from grounding.world import Array
 
-_HANDLING = {
+HANDLING = {
     "pick": "pick pickup grab take lift get select choose grasp fetch hold collect bring raise want need touch scoop "
             "reach retrieve obtain picking remove seize give pass hand lifts takes".split(),
     "place": "put place set move stack lay drop position slide push shift moves slides shifts bring transfer relocate "
@@ -60,14 +60,14 @@ class Told:
 def _resumes(clause: Phrase) -> bool:
     """Whether a clause says what shall be done with "it"."""
     words = [leaf.text for leaf in clause.leaves]
-    verb = any(text in _HANDLING["place"] for text in words)
+    verb = any(text in HANDLING["place"] for text in words)
     return verb and any(text in ("it", "that", "them", "one") for text in words[:6])
 
 
 def read_text(tree: Phrase, reader: Reader) -> Told:
     """Follow a text clause by clause."""
     told = Told()
-    clauses = [_possessed(clause) for clause in _clauses(tree)]
+    clauses = clauses_of(tree)
     for place, clause in enumerate(clauses):
         told.continued = any(_resumes(further) for further in clauses[place + 1 :])
         _follow(clause, reader, told)
@@ -76,6 +76,11 @@ def read_text(tree: Phrase, reader: Reader) -> Told:
     if told.target is None:
         _guess(tree, reader, told)
     return told
+
+
+def clauses_of(tree: Phrase) -> list[Phrase]:
+    """The clauses of a text, in order."""
+    return [_possessed(clause) for clause in _clauses(tree)]
 
 
 def _guess(tree: Phrase, reader: Reader, told: Told) -> None:
@@ -129,7 +134,7 @@ def _clauses(tree: Phrase) -> list[Phrase]:
 
 def _commands(phrase: Phrase) -> bool:
     """Whether a verb phrase has a verb of handling itself, with an object."""
-    verbs = any(word.text in words for word in phrase.words for words in _HANDLING.values() if word.text not in _BEING)
+    verbs = any(word.text in words for word in phrase.words for words in HANDLING.values() if word.text not in _BEING)
     return verbs and any(child.tag == "NP" for child in phrase.phrases)
 
 
@@ -192,7 +197,7 @@ def _sentence(clause: Phrase, reader: Reader, told: Told) -> None:
         _add(clause, reader, told)
         return
     verbs = [word.text for word in parts.words]
-    kind = next((k for k, words in _HANDLING.items() for v in verbs if v in words), None)
+    kind = next((k for k, words in HANDLING.items() for v in verbs if v in words), None)
     looking = any(v in _LOOKING for v in verbs) or any(_existential(p) for p in parts.subjects)
     nouns = [read_noun(p) for p in parts.objects]
     nouns = [noun for noun in nouns if noun.head != "other" or noun.colors or noun.modifiers]
@@ -350,7 +355,7 @@ def _flat(clause: Phrase) -> _Parts:
 
 
 def _verbal(text: str) -> bool:
-    return text in _LOOKING or text in _BEING or any(text in words for words in _HANDLING.values())
+    return text in _LOOKING or text in _BEING or any(text in words for words in HANDLING.values())
 
 
 def _unfolded(part: Phrase | Word) -> tuple[Phrase | Word, ...]:

@@ -1,0 +1,129 @@
+"""Several things to do in one text: where one ends and the next begins, each to be grounded in the world that it finds.
+
+"Pick up the red block. Then put it on the tower" is one thing to do; "put A on B and then C next to D" are two.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from grounding.graded.discourse import HANDLING, clauses_of, read_text
+from grounding.graded.nouns import Noun, read_noun
+from grounding.graded.reader import Reader
+from grounding.graded.scene import Scene
+from grounding.language.parser import Parse
+from grounding.language.tree import Phrase, Word
+from grounding.world import Array
+
+Step = tuple[Parse, ...]
+"""The parses of one step, the likeliest first."""
+
+SAME = 0.15  # things whose likely objects overlap more than this are one thing that is spoken of again
+PLACED = 0.6  # once something has its place, and something is to be picked up, a new name tells another thing
+HOLDS = 0.1  # what is described worse than this is no thing to handle
+_PREPARING = frozenset("touch reach raise want need hold see look find".split())
+_ACTING = frozenset(word for words in HANDLING.values() for word in words) - _PREPARING
+_NAMED = ("block", "container")
+
+
+def split(parses: Sequence[Parse], scene: Scene, history: Sequence[str] = ()) -> tuple[Step, ...]:
+    """The steps of a text, in order; one where all that is said is about one thing to do.
+
+    Args:
+        parses: of the text, the likeliest first.
+        scene: the world.
+        history: ids of the objects handled before, the latest last.
+    """
+    commands = [_commands(parse.tree) for parse in parses]
+    if not commands or len(commands[0]) < 2:
+        return (tuple(parses),)
+    handled = tuple(scene.layout.index[name] for name in history if name in scene.layout.index)
+    split_up = [(parse, _groups(parse.tree, Reader(scene, history=handled))) for parse in parses]
+    count = len(split_up[0][1])
+    if count == 1:
+        return (tuple(parses),)
+    agreeing = [(parse, groups) for parse, groups in split_up if len(groups) == count]
+    return tuple(tuple(replace(parse, tree=groups[i]) for parse, groups in agreeing) for i in range(count))
+
+
+def _commands(tree: Phrase) -> list[Phrase]:
+    return [clause for clause in _unfolded(tree) if _named(clause) is not None]
+
+
+def _groups(tree: Phrase, reader: Reader) -> list[Phrase]:
+    """The clauses of each step, under one root."""
+    groups: list[list[Phrase]] = [[]]
+    for clause in _unfolded(tree):
+        noun = _named(clause)
+        if noun is not None and any(_named(before) is not None for before in groups[-1]):
+            told = read_text(_rooted(groups[-1]), reader)
+            reader.context = None
+            placed = bool(told.destination) and _kind(clause) == "pick"
+            if told.target is not None and _apart(told.target, reader.value_of(noun), PLACED if placed else SAME):
+                groups.append([])
+        groups[-1].append(clause)
+    return [_rooted(group) for group in groups]
+
+
+def _kind(clause: Phrase) -> str | None:
+    """The kind of action that a command asks for."""
+    return next((kind for kind, verbs in HANDLING.items() for leaf in clause.leaves if leaf.text in verbs), None)
+
+
+def _apart(first: Array, second: Array, most: float) -> bool:
+    """Whether two descriptions lead to different things: their likely objects overlap by less than `most`."""
+    one, two = float(first.sum()), float(second.sum())
+    if one <= 0 or two <= 0 or float(second.max()) < HOLDS:
+        return False
+    return float(np.minimum(first / one, second / two).sum()) < most
+
+
+def _named(clause: Phrase) -> Noun | None:
+    """The thing that a command says is to be handled; None where it says "it", or commands nothing."""
+    if clause.tag != "VP":
+        return None
+    texts = [word.text for word in clause.words]
+    objects = [child for child in clause.phrases if child.tag == "NP"]
+    if not objects or not _ACTING & set(texts):
+        inner = [child for child in clause.phrases if child.tag == "VP"]
+        return _named(inner[0]) if len(inner) == 1 and not objects else None
+    noun = read_noun(objects[0])
+    told = noun.colors or noun.modifiers or noun.directions or noun.ordinals or noun.distance or noun.middle or noun.lone
+    return noun if noun.head in _NAMED and (told or noun.head == "container") else None
+
+
+def _unfolded(tree: Phrase) -> list[Phrase]:
+    """The clauses, with a verb for each thing that shares one: "put A on B and C on D"."""
+    return [part for clause in clauses_of(tree) for part in _shared(clause)]
+
+
+def _shared(clause: Phrase) -> list[Phrase]:
+    """A command whose destination is followed by "and" with another thing and its destination, as two commands."""
+    if clause.tag != "VP" or not any(isinstance(c, Phrase) and c.tag == "NP" for c in clause.children):
+        return [clause]
+    last = clause.children[-1]
+    if isinstance(last, Phrase) and last.tag in ("VP", "S") and _named(clause) is not None:
+        before = last.children[:-1] if last.tag == "S" else ()
+        inner = last.children[-1] if last.tag == "S" else last
+        if isinstance(inner, Phrase) and _named(inner) is not None:
+            return [Phrase("VP", (*clause.children[:-1], *before)), *_shared(inner)]
+    for place, child in enumerate(clause.children):
+        if not isinstance(child, Phrase) or child.tag != "PP":
+            continue
+        joint = next((i for i, part in enumerate(child.children) if isinstance(part, Word) and part.tag == "CC"), None)
+        last = child.children[-1]
+        if joint and isinstance(last, Phrase) and last.tag == "NP" and isinstance(child.children[0], Phrase):
+            parts = last.children if last.phrases and last.phrases[0].tag == "NP" else (last,)
+            verb = tuple(c for c in clause.children if isinstance(c, Word) and c.text in _ACTING)
+            first = Phrase("VP", (*clause.children[:place], *child.children[:joint]))
+            second = Phrase("VP", (*verb, *parts, *clause.children[place + 1 :]))
+            if len(parts) > 1 or place + 1 < len(clause.children):
+                return [first, *_shared(second)]
+    return [clause]
+
+
+def _rooted(clauses: Sequence[Phrase]) -> Phrase:
+    return clauses[0] if len(clauses) == 1 else Phrase("FRAG", tuple(clauses))
