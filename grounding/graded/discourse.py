@@ -6,10 +6,9 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from grounding.graded import words as w
 from grounding.graded.nouns import Noun, read_noun
 from grounding.graded.reader import Reader
-from grounding.graded.values import Membership, Rank, Restriction, Value
+from grounding.graded.values import Membership, Rank, Restriction
 from grounding.language.tree import Phrase, Word
 from grounding.world import Array
 
@@ -95,13 +94,18 @@ def _guess(tree: Phrase, reader: Reader, told: Told) -> None:
 
 
 def _possessed(clause: Phrase) -> Phrase:
-    """ "The corner 's block moves" was read as a statement about the corner; it is one about the block of the corner."""
+    """The sentence "the corner 's block moves" was read as one on the corner; it is one on the corner's block."""
     if clause.tag != "S" or len(clause.children) < 2:
         return clause
     owner, verb = clause.children[0], clause.children[1]
     if not (isinstance(owner, Phrase) and owner.tag == "NP" and isinstance(verb, Phrase) and verb.tag == "VP"):
         return clause
-    if not verb.children or not isinstance(verb.children[0], Word) or verb.children[0].text != "'s" or len(verb.children) < 2:
+    if (
+        not verb.children
+        or not isinstance(verb.children[0], Word)
+        or verb.children[0].text != "'s"
+        or len(verb.children) < 2
+    ):
         return clause
     rest = verb.children[1:]
     if isinstance(rest[0], Phrase) and rest[0].tag == "S":
@@ -119,14 +123,22 @@ def _clauses(tree: Phrase) -> list[Phrase]:
     if tree.tag == "S" and tree.children and isinstance(tree.children[0], Phrase) and _existential(tree.children[0]):
         command = next((p for p in tree.preorder() if p.tag == "VP" and _commands(p)), None)
         if command is not None:
-            return [_without(tree, command), *_clauses(Phrase("VP", tuple(c for c in command.children if c not in _leading(command)))) ]
+            return [
+                _without(tree, command),
+                *_clauses(Phrase("VP", tuple(c for c in command.children if c not in _leading(command)))),
+            ]
     if tree.tag == "VP":
         place = next((i for i, child in enumerate(tree.children) if i > 1 and _coordinate(tree, i, child)), None)
         if place is not None:
             head = Phrase("VP", tuple(tree.children[:place]))
-            return [*_clauses(head), *(c for child in tree.phrases if child in tree.children[place:] for c in _clauses(child))]
-    if tree.tag in ("VP", "S") and sum(child.tag in ("VP", "S") for child in tree.phrases) > 1 and not any(
-        child.tag == "NP" for child in tree.phrases
+            return [
+                *_clauses(head),
+                *(c for child in tree.phrases if child in tree.children[place:] for c in _clauses(child)),
+            ]
+    if (
+        tree.tag in ("VP", "S")
+        and sum(child.tag in ("VP", "S") for child in tree.phrases) > 1
+        and not any(child.tag == "NP" for child in tree.phrases)
     ):
         return [clause for child in tree.phrases for clause in _clauses(child)]
     return [tree]
@@ -224,7 +236,13 @@ def _sentence(clause: Phrase, reader: Reader, told: Told) -> None:
         return
     ordered = any(v in _ORDERING for v in verbs)
     everything = [read_noun(p) for p in parts.subjects if not _existential(p)]
-    if told.kind == "place" and told.target is not None and told.destination and everything and _same_thing(everything[0]):
+    if (
+        told.kind == "place"
+        and told.target is not None
+        and told.destination
+        and everything
+        and _same_thing(everything[0])
+    ):
         told.destination += [*parts.objects, *parts.rest]  # "it should be left of X", "its left side touches X"
         return
     passive = any(v in _BEING for v in verbs) and any(v in _MOVED for v in verbs)
@@ -260,8 +278,11 @@ def _sentence(clause: Phrase, reader: Reader, told: Told) -> None:
                 noun = _with(noun, [rest.pop(0)], reader)
             if len(rest) > 1 and rest[0].tag == "PP" and not _leads(rest[0]) and _results(rest[-1]):
                 noun = _with(noun, [rest.pop(0)], reader)
-            while told.continued and rest and rest[0].tag in ("PP", "SBAR") and (
-                not _informative(noun) or not _leads(rest[0])
+            while (
+                told.continued
+                and rest
+                and rest[0].tag in ("PP", "SBAR")
+                and (not _informative(noun) or not _leads(rest[0]))
             ):
                 noun = _with(noun, [rest.pop(0)], reader)
             _take(noun, reader, told)
@@ -288,15 +309,16 @@ def _leads(phrase: Phrase) -> bool:
 
 
 def _given(verbs: list[str], parts: _Parts, subjects: list[Noun], nouns: list[Noun]) -> Noun | None:
-    """What is moved where the subject only gives or receives it: "the tower loses its top", "X gains a block from Y"."""
+    """What is moved where the subject only gives or gets it: "the tower loses its top", "X gains a block from Y"."""
     if any(v in _MAKING for v in verbs) and not any(s.head == "block" for s in subjects):
         return _brought(*parts.objects, *parts.rest)
     if not subjects:
         return None
     subject = subjects[0]
     if any(v in _LOSING for v in verbs):
+        of_it = Phrase("PP", (Word("of", "IN", 0), _noun_phrase(parts, 0)))
         return replace(subject, head="block", kinds=(), directions=("up",), number=None, ordinals=(), distance=None,
-                       size=0, middle=False, colors=(), modifiers=(Phrase("PP", (Word("of", "IN", 0), _noun_phrase(parts, 0))),))  # fmt: skip
+                       size=0, middle=False, colors=(), modifiers=(of_it,))  # fmt: skip
     if any(v in _GAINING for v in verbs) and subject.head in ("block", "container"):
         return _brought(*parts.objects, *parts.rest)
     return None
@@ -320,7 +342,7 @@ def _noun_phrase(parts: _Parts, place: int) -> Phrase:
 
 @dataclass
 class _Parts:
-    words: list = field(default_factory=list)
+    words: list[Word] = field(default_factory=list)
     subjects: list[Phrase] = field(default_factory=list)
     objects: list[Phrase] = field(default_factory=list)
     before: list[Phrase] = field(default_factory=list)
@@ -359,12 +381,16 @@ def _verbal(text: str) -> bool:
 
 
 def _unfolded(part: Phrase | Word) -> tuple[Phrase | Word, ...]:
-    """A thing that was read as the measure of a prepositional phrase stands before it: "the block" "behind the tower"."""
+    """A thing that was read as the measure of a phrase stands before it: "the block" "behind the tower"."""
     if isinstance(part, Phrase) and part.tag == "PP" and len(part.children) > 1:
         first = part.children[0]
         if isinstance(first, Phrase) and first.tag == "NP":
             noun = read_noun(first)
-            if noun.head in ("block", "container") and noun.definite and first.leaves[0].text in ("the", "that", "this"):
+            if (
+                noun.head in ("block", "container")
+                and noun.definite
+                and first.leaves[0].text in ("the", "that", "this")
+            ):
                 return (Phrase("NP", (first, Phrase("PP", part.children[1:]))),)
     return (part,)
 
@@ -424,7 +450,7 @@ def _same_thing(noun: Noun) -> bool:
 
 
 def _deny(subject: Noun, nouns: list[Noun], rest: list[Phrase], reader: Reader, told: Told) -> None:
-    """ "It is not the one next to the tower"."""
+    """For example "it is not the one next to the tower"."""
     noun = _with(nouns[0] if nouns else replace(subject, head="block"), rest, reader)
     value = reader.noun(noun)
     if value.kind in ("objects", "sets") and value.weights.any() and told.target is not None:
@@ -432,7 +458,7 @@ def _deny(subject: Noun, nouns: list[Noun], rest: list[Phrase], reader: Reader, 
 
 
 def _state(subject: Noun, nouns: list[Noun], rest: list[Phrase], reader: Reader, told: Told) -> None:
-    """ "The block is on the left", "it is the red one next to the tower"."""
+    """For example "the block is on the left", "it is the red one next to the tower"."""
     noun = _with(subject, rest, reader)
     if nouns:
         first = nouns[0]

@@ -97,9 +97,9 @@ def _read(phrase: Phrase) -> Noun:
 
 def _following(before: tuple[Phrase, ...], after: tuple[Phrase, ...]) -> tuple[Phrase, ...]:
     """Modifiers in order; a bare direction takes what "of" names: "the box southwest" "of the tower"."""
-    if before and after and not before[-1].phrases and [word.text for word in after[0].words] == ["of"]:
-        if any(w.directions(word.text) for word in before[-1].words):
-            return (*before[:-1], Phrase("PP", (*before[-1].children, *after[0].children)), *after[1:])
+    bare = bool(before and after) and not before[-1].phrases and [word.text for word in after[0].words] == ["of"]
+    if bare and any(w.directions(word.text) for word in before[-1].words):
+        return (*before[:-1], Phrase("PP", (*before[-1].children, *after[0].children)), *after[1:])
     return (*before, *after)
 
 
@@ -285,20 +285,23 @@ class _Reading:
             head = "place"
         if head == "place" and said.get("place") and (self.away or said.get("distance") == "near"):
             deep = "back" if self.away else "front"
-            if not {"back", "front", "up", "down"} & set(self.directions) and (said["place"] == "corner" or not self.directions):
+            if not {"back", "front", "up", "down"} & set(self.directions) and (
+                said["place"] == "corner" or not self.directions
+            ):
                 self.directions.append(deep)  # "the far right corner", "the near edge"
         if head == "other" and said.get("agent"):
             head = "agent"
-        if head == "block" and (number or 0) > 1:
+        if head == "block" and isinstance(number, int) and number > 1:
             said["plural"] = True
         kinds = self.kinds
         if head == "block" and (said.get("plural") and self.stacked or (said.get("size") and not self.stacked)):
             head, kinds = "container", ("tower",)
             said["plural"] = False
         modifiers = (Phrase("PP", tuple(self.behind)),) if self.behind else ()
-        return Noun(head=head, kinds=kinds, modifiers=modifiers,
-                    strange=self.named_strangely and not self.heads, colors=tuple(self.colors), ordinals=tuple(self.ordinals),
-                    directions=tuple(self.directions), unknown=tuple(self.unknown), text=text, **said)  # type: ignore[arg-type]  # fmt: skip
+        strange = self.named_strangely and not self.heads
+        return Noun(head=head, kinds=kinds, modifiers=modifiers, strange=strange, colors=tuple(self.colors),
+                    ordinals=tuple(self.ordinals), directions=tuple(self.directions), unknown=tuple(self.unknown),
+                    text=text, **said)  # type: ignore[arg-type]  # fmt: skip
 
     def _head(self) -> str:
         heads = self.heads

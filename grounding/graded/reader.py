@@ -9,7 +9,7 @@ import numpy as np
 from grounding.graded import scores, sets
 from grounding.graded import words as w
 from grounding.graded.nouns import Noun, read_noun, read_words
-from grounding.graded.scene import ROBOT, SPEAKER, Scene
+from grounding.graded.scene import ROBOT, Scene
 from grounding.graded.values import Effect, Membership, Place, Rank, Restriction, Value
 from grounding.language.lexicon import meanings
 from grounding.language.tree import Phrase, Word
@@ -21,8 +21,10 @@ STRANGE = 0.08  # a thing called by an unknown name is hardly one of those that 
 BURIED = 0.1  # what carries something is less likely spoken of
 STACKED = 0.35  # who means the top of a stack mostly says so
 SETS = 5  # of the sets that a modifier may mean, so many are tried
-_ALIASES = {"blue": ("purple",), "purple": ("blue",), "orange": ("red", "brown"), "red": ("orange", "pink"),
-            "yellow": ("orange",), "gray": ("white", "black"), "brown": ("orange",), "pink": ("red", "purple")}  # fmt: skip
+_ALIASES = {
+    "blue": ("purple",), "purple": ("blue",), "orange": ("red", "brown"), "red": ("orange", "pink"),
+    "yellow": ("orange",), "gray": ("white", "black"), "brown": ("orange",), "pink": ("red", "purple"),
+}  # fmt: skip
 VIEWS = frozenset("perspective view viewpoint standpoint vantage position point".split())
 _OPPOSITE = {"left": "right", "right": "left", "front": "back", "back": "front", "up": "down", "down": "up"}
 _HORIZONTAL = {"up": "back", "down": "front"}
@@ -67,7 +69,7 @@ class Reader:
             return self._place_value(noun)
         if noun.head == "container":
             return self._container(noun)
-        if noun.head in ("block", "other") :
+        if noun.head in ("block", "other"):
             return self._objects(noun)
         return Value("nothing", np.zeros(n))
 
@@ -82,7 +84,9 @@ class Reader:
 
     def ranked_again(self, target: Array, rank: Rank) -> Array:
         """Objects that were found, ranked by what is said afterwards."""
-        return target * scores.ranked(target / max(float(target.max(initial=0)), 1e-9), rank.key, rank.ordinal or 1, rank.noise)
+        return target * scores.ranked(
+            target / max(float(target.max(initial=0)), 1e-9), rank.key, rank.ordinal or 1, rank.noise
+        )
 
     def _pronoun(self, noun: Noun) -> Value:
         if self.context is not None:
@@ -102,8 +106,8 @@ class Reader:
             return Value("nothing", np.zeros(self.scene.n))
         found = []
         if len(pools) == 2:
-            first, second = pools
-            order = [(float(first[i] * second[j]), i, j) for i in np.argsort(-first)[:4] for j in np.argsort(-second)[:4]]
+            one, other = pools
+            order = [(float(one[i] * other[j]), i, j) for i in np.argsort(-one)[:4] for j in np.argsort(-other)[:4]]
             for weight, i, j in sorted(order, key=lambda item: -item[0])[:SETS]:
                 if i != j and weight > 0.01:
                     mask = np.zeros(self.scene.n, dtype=bool)
@@ -170,7 +174,7 @@ class Reader:
             weights = weights * np.where(scene.clear, np.where(scene.stacked, STACKED, 1.0), BURIED)
         choices = [(np.ones(scene.n), 1.0)]
         for membership in memberships:
-            tops = [s for s in membership.sets[:SETS]]
+            tops = list(membership.sets[:SETS])
             choices = [
                 (mask * member, weight * chance) for mask, weight in choices for member, chance in tops
             ] or choices
@@ -238,7 +242,9 @@ class Reader:
         if "row" in kinds or "column" in kinds:
             name = "left" if "row" in kinds else "back"
             key = scene.xy @ scene.direction(name, self.view)
-            return np.asarray(0.85 * scores.ranked(pool, key, ordinal, noise) + 0.15 * scores.ranked(pool, -key, ordinal, noise))
+            return np.asarray(
+                0.85 * scores.ranked(pool, key, ordinal, noise) + 0.15 * scores.ranked(pool, -key, ordinal, noise)
+            )
         spread = scene.xy[pool > 0.3 * pool.max(initial=1e-9)]
         along = np.ptp(spread, axis=0) if len(spread) else np.ones(2)
         sideways = float(along[1] / max(along.sum(), 1e-9))
@@ -355,7 +361,12 @@ class Reader:
         kind = next((k for k in ("row", "column") if k in noun.kinds), None)
         names = {"up": 0, "back": 0, "down": -1, "front": -1} if kind == "row" else {"left": 0, "right": -1}
         ends = [names[name] for name in noun.directions if name in names]
-        if kind is None or "diagonal" in noun.kinds or not (noun.ordinals or ends or noun.middle) or len(noun.directions) > 1:
+        if (
+            kind is None
+            or "diagonal" in noun.kinds
+            or not (noun.ordinals or ends or noun.middle)
+            or len(noun.directions) > 1
+        ):
             return []
         found: dict[bytes, tuple[np.ndarray, float]] = {}
         for gap in sets.GAPS:
@@ -436,7 +447,9 @@ class Reader:
 
     # -- places ----------------------------------------------------------------------------------------------------
 
-    def _make_place(self, names: list[str] | tuple[str, ...], owner: str, middle: bool, corner: bool, bare: bool) -> Place:
+    def _make_place(
+        self, names: list[str] | tuple[str, ...], owner: str, middle: bool, corner: bool, bare: bool
+    ) -> Place:
         flat = [_HORIZONTAL.get(name, name) for name in names]
         vectors = tuple(self.scene.direction(name, owner) for name in dict.fromkeys(flat))
         return Place(vectors, tuple(names), middle, corner or len(vectors) > 1, bare, owner=owner)
@@ -449,7 +462,12 @@ class Reader:
         if not names and noun.agent and not noun.middle:
             names = ["front"]  # "your side"
         of = self._owner_of(noun)
-        if of is not None and of.kind == "sets" and not (noun.directions or noun.middle) and "part" in noun.text.split():
+        if (
+            of is not None
+            and of.kind == "sets"
+            and not (noun.directions or noun.middle)
+            and "part" in noun.text.split()
+        ):
             return of
         place = self._make_place(names, owner, noun.middle, noun.place == "corner", bare)
         if of is not None and of.kind in ("sets", "objects") and of.weights.any():
@@ -505,7 +523,9 @@ class Reader:
         if not place.directions:
             away = np.linalg.norm(scene.scaled, axis=1)
             best = float(away[compared].min(initial=9.0))
-            return np.asarray(np.exp(-0.5 * (np.maximum(away - 0.1, 0) / 0.45) ** 2) * np.exp(-1.5 * (away - best).clip(0)))
+            return np.asarray(
+                np.exp(-0.5 * (np.maximum(away - 0.1, 0) / 0.45) ** 2) * np.exp(-1.5 * (away - best).clip(0))
+            )
         if len(place.directions) > 1 or place.middle or place.corner:
             vectors = np.array(place.directions)
             target = vectors.sum(axis=0)
@@ -620,7 +640,14 @@ class Reader:
         measure = next((m for c in phrases if (m := _measure(c)) is not None), None)
         child = next((c for c in phrases if _measure(c) is None), None)
         nested = next((c for c in phrase.phrases if c.tag in ("PP", "ADVP")), None)
-        if child is None and nested is not None and not said.distance and not said.ordinals and measure is None and not said.directions:
+        if (
+            child is None
+            and nested is not None
+            and not said.distance
+            and not said.ordinals
+            and measure is None
+            and not said.directions
+        ):
             return self.effects(nested, base)
         if child is None and nested is not None:
             child = next((c for c in nested.phrases if c.tag == "NP"), None)
@@ -664,7 +691,11 @@ class Reader:
             if of is not None and of.kind == "agent":
                 return self._before_agent(of.agent or ROBOT, noun.directions, strict)
             if of is not None and of.kind in ("objects", "sets"):
-                inside = of.kind == "sets" and texts[:1] in (["in"], ["at"], ["from"], ["of"]) and "front" not in noun.directions
+                inside = (
+                    of.kind == "sets"
+                    and texts[:1] in (["in"], ["at"], ["from"], ["of"])
+                    and "front" not in noun.directions
+                )
                 if not inside:
                     toward = (*further, *noun.directions)
                     if measure is not None:
@@ -721,7 +752,7 @@ class Reader:
         return [Restriction(self._in_place(place, base))]
 
     def _distance_rank(self, noun: Noun, distance: str, ordinal: int | None, away: bool) -> list[Effect]:
-        """ "closest to X", "farthest from X", "furthest to the left"."""
+        """Ranks by distance: "closest to X", "farthest from X", "furthest to the left"."""
         scene = self.scene
         noise = 0.3 * scene.edge
         value = self.noun(noun)
@@ -753,7 +784,7 @@ class Reader:
         return []
 
     def _before_agent(self, agent: str, names: tuple[str, ...], strict: bool) -> list[Effect]:
-        """ "in front of you", "to the left of you"."""
+        """Before or beside somebody: "in front of you", "to the left of you"."""
         scene = self.scene
         if "front" in names or "back" in names:
             offset = scene.xy - scene.viewpoint(agent).position[:2]
@@ -875,7 +906,10 @@ class Reader:
                 elif len(members) > 2:
                     for a in range(len(members)):
                         for b in range(a):
-                            held = np.maximum(held, 0.8 * scores.between(scene.xy, scene.xy[members[a]], scene.xy[members[b]], scene.edge))
+                            held = np.maximum(
+                                held,
+                                0.8 * scores.between(scene.xy, scene.xy[members[a]], scene.xy[members[b]], scene.edge),
+                            )
                 total = np.maximum(total, chance * held * ~mask)
             if value.sets and total.max(initial=0.0) > 0.1:
                 return total
@@ -906,7 +940,9 @@ def _measure(phrase: Phrase) -> float | None:
     noun = read_noun(phrase)
     bare = not (noun.colors or noun.modifiers or noun.directions or noun.distance or noun.middle or noun.lone)
     counted = next((s.value for t in texts for s in meanings(t) if isinstance(s, Cardinal)), None)
-    if noun.head == "measure" or (bare and counted is not None and "the" not in texts and noun.head in ("block", "other")):
+    if noun.head == "measure" or (
+        bare and counted is not None and "the" not in texts and noun.head in ("block", "other")
+    ):
         if "half" in texts:
             return 0.5 if counted is None or counted == 1 else counted + 0.5
         return float(counted) if counted is not None else 3.0 if "few" in texts else 1.0
@@ -966,7 +1002,8 @@ def _takes_view(phrase: Phrase) -> bool:
 def _relates(text: str) -> bool:
     return bool(
         w.is_touching(text) or w.is_between(text) or w.is_surrounded(text) or w.directions(text) or w.distance(text)
-        or w.is_beside(text) or any(isinstance(s, Ordinal) for s in meanings(text)) or text in ("not", "behind", "facing")
+        or w.is_beside(text) or any(isinstance(s, Ordinal) for s in meanings(text))
+        or text in ("not", "behind", "facing")
     )  # fmt: skip
 
 

@@ -86,7 +86,7 @@ class Scene:
             other = np.einsum("jkd,id->ijk", axes, axes[:, k])
             reach = halves[:, k][:, None] + (np.abs(other) * halves[None]).sum(axis=2)
             found = np.maximum(found, np.maximum(along - reach, (along - reach).T))
-        return np.maximum(found, 0.0)
+        return np.asarray(np.maximum(found, 0.0))
 
     @lazy
     def towers(self) -> tuple[tuple[int, ...], ...]:

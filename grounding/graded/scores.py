@@ -6,7 +6,6 @@ import numpy as np
 
 from grounding.world import Array
 
-
 DECAY = 2.5
 """A direction fades over gaps of so many edges: what is meant is usually the next one."""
 

@@ -23,7 +23,9 @@ _ABBREVIATED = {"ne": "northeast", "nw": "northwest", "se": "southeast", "sw": "
 _POINT = re.compile(r"(north|south)-?(east|west)(?:ern)?(?:-?most|ward|wards|erly)?")
 _MOST = re.compile(r"(.+?)(?:ern)?-?most|(.+?)-hand")
 _NEAR = frozenset("closest nearest closer nearer near close closes closet nearby".split())
-_FAR = frozenset("farthest furthest farther further furthermost farthermost furtherest farest furthers far away".split())
+_FAR = frozenset(
+    "farthest furthest farther further furthermost farthermost furtherest farest furthers far away".split()
+)
 _RANKING = frozenset(
     "closest nearest closer nearer closes closet farthest furthest farther further furthermost farthermost furtherest "
     "farest furthers".split()
@@ -101,7 +103,7 @@ def is_extreme(word: str) -> bool:
 
 
 def distance(word: str) -> str | None:
-    """ "near" or "far" for words of distance, None for others."""
+    """Either "near" or "far" for words of distance, None for others."""
     return "near" if word in _NEAR else "far" if word in _FAR else None
 
 
@@ -116,12 +118,12 @@ def is_middle(word: str) -> bool:
 
 
 def place(word: str) -> str | None:
-    """ "side" or "corner" for nouns of places."""
+    """Either "side" or "corner" for nouns of places."""
     return _PLACE_OF[word][0] if word in _PLACE_OF else None
 
 
 def agent(word: str) -> str | None:
-    """ "robot" for the one who is spoken to, "speaker" for the one who speaks."""
+    """Who is meant: "robot" for the one who is spoken to, "speaker" for the one who speaks."""
     return _AGENT_OF[word][0] if word in _AGENT_OF else None
 
 
