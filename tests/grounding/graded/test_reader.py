@@ -140,7 +140,9 @@ def test_unmarked_sides_are_those_of_the_view():
 
 
 @pytest.mark.parametrize("view", [ROBOT, SPEAKER])
-@pytest.mark.parametrize(("text", "name"), [("the red block on your left", "a"), ("the red block on my left", "e")])  # fmt: skip
+@pytest.mark.parametrize(
+    ("text", "name"), [("the red block on your left", "a"), ("the red block on my left", "e")]
+)
 def test_marked_sides_are_those_of_who_is_named(view, text, name):
     assert best(value(text, view).weights) == name
 
