@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 import numpy as np
 
@@ -44,7 +44,7 @@ def find_destination(region: Region, moved: Iterable[str], world: World) -> Dest
     others = [o for o in world.objects if o.id not in names and o.type not in FURNITURE]
     height = float(table.position[2] + table.half_extents[2] + item.size[2] / 2)
     places = _candidates(region, item, world, table)
-    places = places[_free(places, item, others, table)]
+    places = places[free_places(places, item, others, table)]
     points = [(x, y, round(height, 5)) for x, y in np.round(places, 5).tolist()]
     for start in range(0, len(points), _BATCH):
         batch = points[start : start + _BATCH]
@@ -133,8 +133,18 @@ def _ideals(region: Region, item: WorldObject, references: list[WorldObject], ta
     return [np.asarray(centre + np.array(_DIRECTIONS[side]) * away) for side in _BESIDE]
 
 
-def _free(places: Array, item: WorldObject, others: list[WorldObject], table: WorldObject) -> np.ndarray:
-    """Which places, shape (n, 2), are on the table and clear of other objects."""
+def free_places(places: Array, item: WorldObject, others: Sequence[WorldObject], table: WorldObject) -> np.ndarray:
+    """Which places are on a table and clear of other objects, with room for fingers.
+
+    Args:
+        places: of an object's centre, shape (n, 2) in [m].
+        item: the object.
+        others: what it has to be clear of.
+        table: what it shall stand on.
+
+    Returns:
+        boolean, shape (n,).
+    """
     half = float(item.half_extents[:2].max())
     room = table.half_extents[:2] - MARGIN - half
     free = np.all(np.abs(places - table.position[:2]) <= room, axis=1)

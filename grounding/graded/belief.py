@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from grounding.graded import words
-from grounding.graded.destinations import Spot, find_spot
+from grounding.graded.destinations import Spot, agreed, find_spot
 from grounding.graded.discourse import Told, read_text
 from grounding.graded.reader import VIEWS, Reader
 from grounding.graded.scene import ROBOT, SPEAKER, Scene
@@ -19,6 +19,7 @@ from grounding.world import Array
 
 NEGLIGIBLE = 1e-3  # parses less likely than the best by this factor are not read
 PARSE_WEIGHT = 0.5  # how much a parse's probability counts beside how well its reading agrees with the world
+HEARD = 3  # readings that are asked where to
 DOUBT = 0.02  # every reading is worth so much, as eyes and words err
 UNMARKED = {ROBOT: 0.67, SPEAKER: 0.33}
 """Whose left is meant where nobody is named and the speaker faces the robot: people who write for a robot take its
@@ -72,14 +73,23 @@ class GradedBelief:
         return tuple(sorted(shares, key=lambda place: -shares[place]))
 
     def destination(self, objects: tuple[str, ...]) -> Destination | None:
-        """Where the likeliest reading that says so brings an object."""
-        for reading in self.readings:
-            if reading.told.destination and objects and objects[0] in reading.reader.scene.layout.index:
-                source = reading.reader.scene.layout.index[objects[0]]
-                spot = find_spot(reading.told.destination, source, reading.reader)
-                if spot is not None:
-                    return _destination(spot, source, reading.reader.scene)
-        return None
+        """Where the likeliest readings bring an object: what most of them agree on."""
+        source = self.readings[0].reader.scene.layout.index.get(objects[0]) if objects and self.readings else None
+        if source is None:
+            return None
+        scene = self.readings[0].reader.scene
+        found: dict[tuple[str, tuple[Phrase, ...]], tuple[Spot, float]] = {}
+        for reading in self.readings[:HEARD]:
+            told, view = reading.told, reading.reader.view
+            said = view, tuple(told.destination)
+            if said in found:
+                found[said] = (found[said][0], found[said][1] + reading.share)
+                continue
+            spot = find_spot(told.destination, source, reading.reader, told.whole if told.kind == "place" else None)
+            if spot is not None:
+                found[said] = (spot, reading.share)
+        spot = agreed([(spot, share) for spot, share in found.values()], scene.edge)
+        return None if spot is None else _destination(spot, source, scene)
 
 
 def believe(parses: Sequence[Parse], scene: Scene, history: Sequence[str] = ()) -> GradedBelief:

@@ -6,6 +6,7 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
+from grounding.graded.destinations.items import peeled
 from grounding.graded.nouns import Noun, read_noun
 from grounding.graded.reader import Reader
 from grounding.graded.values import Membership, Rank, Restriction
@@ -43,7 +44,9 @@ class Told:
         sets: where several are.
         mentioned: what was spoken of last, shape (n,), or None.
         kind: of action.
+        destination: phrases that tell where to, the words of their clauses as phrases of their own.
         doubt: pieces that were not used.
+        whole: the text, in which a destination is looked for where no phrase was told apart.
     """
 
     target: Array | None = None
@@ -54,6 +57,7 @@ class Told:
     destination: list[Phrase] = field(default_factory=list)
     doubt: int = 0
     continued: bool = False
+    whole: Phrase | None = None
 
 
 def _resumes(clause: Phrase) -> bool:
@@ -74,6 +78,7 @@ def read_text(tree: Phrase, reader: Reader) -> Told:
         told.target = told.mentioned
     if told.target is None:
         _guess(tree, reader, told)
+    told.whole = tree
     return told
 
 
@@ -220,6 +225,7 @@ def _sentence(clause: Phrase, reader: Reader, told: Told) -> None:
     if giver is not None:
         _take(giver, reader, told)
         told.kind = "place"
+        told.destination += _gained(verbs, parts)
         return
     subjects = [s for s in subjects if s.head in ("block", "pronoun", "container")]
     named = [noun for noun in subjects if noun.head in ("block", "container") and _informative(noun)]
@@ -243,7 +249,8 @@ def _sentence(clause: Phrase, reader: Reader, told: Told) -> None:
         and everything
         and _same_thing(everything[0])
     ):
-        told.destination += [*parts.objects, *parts.rest]  # "it should be left of X", "its left side touches X"
+        # "it should be left of X", "its left side touches X"
+        told.destination += [*_owned(parts), _said(parts), *parts.objects, *parts.rest]
         return
     passive = any(v in _BEING for v in verbs) and any(v in _MOVED for v in verbs)
     if subjects and passive and subjects[0].head != "pronoun" and told.target is None:
@@ -251,7 +258,7 @@ def _sentence(clause: Phrase, reader: Reader, told: Told) -> None:
     if subjects and ordered and subjects[0].head != "pronoun" and told.target is None:
         _take(_with(subjects[0], parts.before, reader), reader, told)
         told.kind = "place"
-        told.destination += [*parts.objects, *parts.rest]
+        told.destination += [_said(parts), *parts.objects, *parts.rest]
         return
     if subjects and any(v in _BEING for v in verbs) and any(v in ("not", "n't") for v in verbs):
         _deny(subjects[0], nouns, parts.rest, reader, told)
@@ -262,7 +269,7 @@ def _sentence(clause: Phrase, reader: Reader, told: Told) -> None:
     if kind == "place" and subjects and not (nouns and nouns[0].head == "block" and nouns[0].definite):
         _take(_with(subjects[0], parts.before, reader), reader, told)
         told.kind = "place"
-        told.destination += [*parts.objects, *parts.rest]
+        told.destination += [_said(parts), *parts.objects, *parts.rest]
         return
     if kind is not None and nouns:
         told.kind = kind
@@ -285,8 +292,13 @@ def _sentence(clause: Phrase, reader: Reader, told: Told) -> None:
                 and (not _informative(noun) or not _leads(rest[0]))
             ):
                 noun = _with(noun, [rest.pop(0)], reader)
+            noun, courses = peeled(noun)
             _take(noun, reader, told)
-            told.destination += rest
+            told.destination += [_said(parts), *courses, *parts.objects[1:], *rest]
+        return
+    if kind == "place" and not subjects and told.target is not None:
+        told.kind = kind
+        told.destination += [_said(parts), *parts.rest]
         return
     if nouns:
         _take(_with(nouns[0], [*parts.before, *parts.rest], reader), reader, told)
@@ -300,6 +312,26 @@ def _sentence(clause: Phrase, reader: Reader, told: Told) -> None:
 def _results(phrase: Phrase) -> bool:
     """Whether a phrase tells what shall be the case afterwards: "so that it is ..."."""
     return phrase.tag == "SBAR" and any(leaf.text in ("so", "until") for leaf in phrase.leaves[:2])
+
+
+def _said(parts: _Parts) -> Phrase:
+    """The words of a clause by themselves: "stack ... on X" leads elsewhere than "move ... to X"."""
+    return Phrase("VP", tuple(parts.words))
+
+
+def _owned(parts: _Parts) -> list[Phrase]:
+    """A side of what is moved: "its left side touches X"."""
+    return [phrase for phrase in parts.subjects if phrase.leaves[0].text in ("its", "it's")]
+
+
+def _gained(verbs: list[str], parts: _Parts) -> list[Phrase]:
+    """Where to, where somebody gives or receives: onto what gains it, or as a further clause tells."""
+    clauses = [p for phrase in (*parts.objects, *parts.rest) for p in phrase.preorder() if p.tag == "SBAR"][:1]
+    subjects = [p for p in parts.subjects if not _existential(p)]
+    if any(v in _LOSING for v in verbs) or not subjects or not any(v in _GAINING for v in verbs):
+        return clauses
+    where = [p for p in parts.rest if p.tag == "PP" and p.leaves[0].text not in ("from", "using", "by", "with")]
+    return [Phrase("PP", (Word("on", "IN", 0), subjects[0])), *where, *clauses]
 
 
 def _leads(phrase: Phrase) -> bool:
@@ -483,6 +515,9 @@ def _state(subject: Noun, nouns: list[Noun], rest: list[Phrase], reader: Reader,
 
 def _add(piece: Phrase, reader: Reader, told: Told) -> None:
     """A piece that belongs to what was named before it."""
+    if told.destination and told.kind == "place":
+        told.destination.append(piece)
+        return
     if told.target is None:
         if piece.tag == "NP":
             _name(piece, reader, told)
