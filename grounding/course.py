@@ -22,6 +22,7 @@ class Course:
         history: ids of the objects handled before, the latest last.
         done: the answers to the first steps.
         milliseconds: that finding the steps took.
+        before: the world before what was handled last was moved, where that is known.
     """
 
     text: str
@@ -30,6 +31,7 @@ class Course:
     history: tuple[str, ...] = ()
     done: tuple[Grounding, ...] = ()
     milliseconds: float = 0.0
+    before: World | None = None
 
     @property
     def next(self) -> Step | None:
@@ -42,7 +44,8 @@ class Course:
         for action in answer.actions:
             world = world_after(world, action)
         handled = tuple(name for action in answer.actions for name in action.objects)
-        return replace(self, world=world, history=(*self.history, *handled), done=(*self.done, answer))
+        before = self.world if world is not self.world else self.before
+        return replace(self, world=world, before=before, history=(*self.history, *handled), done=(*self.done, answer))
 
     def result(self, last: Grounding | None = None) -> Grounding:
         """The answer to all of it; where a step has none, what is to be said of that step.

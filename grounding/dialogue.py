@@ -10,6 +10,7 @@ from grounding.distinguishing import Describer
 from grounding.forbidding import forbidden
 from grounding.geometry.layout import Layout
 from grounding.graded.belief import GradedBelief
+from grounding.graded.discourse import clauses_of
 from grounding.graded.scene import Scene
 from grounding.missing import unknown_named, unknown_things, whats_missing
 from grounding.phrases import by_answer, by_factors
@@ -24,6 +25,7 @@ ANSWERED = 0.4  # an answer is given when it is so likely
 MARGIN = 1.4  # and so many times likelier than the next one
 CREDIBLE = 0.1  # what agrees less with the world is not answered where something is seen to be missing
 CONFIDENT = 0.62  # by the factors alone an answer is given when it is so likely
+EVEN = 0.2  # where many are possible, those that are at most so much less likely than the best are
 LISTED = 0.01  # alternatives less likely than this are not worth naming
 MOST = 5
 
@@ -124,22 +126,15 @@ def _outcome(text: str, believed: Believed, scene: Scene) -> Grounding:
 def _pooled(found: Sequence[Reading], scene: Scene, graded: GradedBelief) -> Believed | None:
     """What the factors and the graded readings believe together."""
     shares, bearers = _shares(found)
-    factors: dict[tuple[str, tuple[str, ...]], float] = {}
-    for action, share in shares.items():
-        factors[action.kind, action.objects] = factors.get((action.kind, action.objects), 0.0) + share
-    options = pool(factors, graded.options)
+    options = options_of(found, graded)
     if not options:
         return None
     best, second = options[0].probability, options[1].probability if len(options) > 1 else 0.0
-    tree = found[0].inference.tree
-    several = tree.tag == "FRAG"
-    aside = any(leaf.text in _ASIDE for leaf in tree.leaves)
-    actions = tuple(
-        _action_of(option, shares, graded, scene.layout, several, aside) for option in options[: MOST + 1]
-        if option.probability >= LISTED or option is options[0]
-    )  # fmt: skip
+    least = min(LISTED, EVEN * best)
+    listed = [option for option in options if option.probability >= least]
+    actions = tuple(action_of(option, found, scene, graded) for option in listed[: MOST + 1])
     bearer = next((r for a, r in bearers.items() if a.objects == options[0].objects), None)
-    count = sum(option.probability >= LISTED for option in options)
+    count = len(listed)
     sure = best >= ANSWERED and best >= MARGIN * second
     return Believed(actions, count, sure, shares, bearer or found[0], bearer is not None)
 
@@ -181,20 +176,40 @@ def _shares(found: Sequence[Reading]) -> tuple[dict[Action, float], dict[Action,
     return shares, bearers
 
 
-def _action_of(
-    option: Pooled, shares: dict[Action, float], graded: GradedBelief, layout: Layout, several: bool, aside: bool
-) -> GroundedAction:
-    """An option as an action; of several sentences the graded readings know best what is to be done in the end."""
-    kind = option.kinds[0][0]
-    if several:
+def options_of(found: Sequence[Reading], graded: GradedBelief | None) -> tuple[Pooled, ...]:
+    """All that a text may speak of, the likeliest first, also what is hardly likely.
+
+    Args:
+        found: its readings by the factors.
+        graded: its graded readings.
+    """
+    factors: dict[tuple[str, tuple[str, ...]], float] = {}
+    for action, share in _shares(found)[0].items():
+        factors[action.kind, action.objects] = factors.get((action.kind, action.objects), 0.0) + share
+    return pool(factors, () if graded is None else graded.options)
+
+
+def action_of(option: Pooled, found: Sequence[Reading], scene: Scene, graded: GradedBelief) -> GroundedAction:
+    """An option as an action, with where it is to be put.
+
+    Args:
+        option: what is handled.
+        found: the readings by the factors.
+        scene: the world.
+        graded: the graded readings; of several sentences they know best what is to be done in the end.
+    """
+    tree, kind, destination = found[0].inference.tree, option.kinds[0][0], None
+    if tree.tag == "FRAG" or len(clauses_of(tree)) > 1:
         kind = next((k for (k, objects), _ in graded.options if objects == option.objects), kind)
-    destination = None
     if kind == "place":
         destination = graded.destination(option.objects)
         if destination is None:
-            regions = [a.destination for a in shares if a.kind == "place" and a.objects == option.objects]
-            destination = next((d for r in regions if (d := _destination(r, option.objects, layout)) is not None), None)
-    if kind == "place" and destination is None and aside:
+            asked = [a for a in _shares(found)[0] if a.kind == "place" and a.objects == option.objects]
+            places = (_destination(a.destination, option.objects, scene.layout) for a in asked)
+            destination = next((place for place in places if place is not None), None)
+    if destination is not None and set(destination.reference) & set(option.objects):
+        destination = None  # nothing is put on or beside itself
+    if kind == "place" and destination is None and any(leaf.text in _ASIDE for leaf in tree.leaves):
         kind = "clear"
     return GroundedAction(kind, option.objects, option.probability, destination)
 

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import models
 from grounding.course import Course
-from grounding.dialogue import decide
+from grounding.dialogue import action_of, decide, options_of
 from grounding.factors import load_model
 from grounding.forbidding import without_forbidden
 from grounding.geometry.layout import Layout
@@ -18,9 +18,12 @@ from grounding.graded.belief import GradedBelief, believe
 from grounding.graded.scene import Scene
 from grounding.inference import Adcg
 from grounding.language.parser import Parse, Parser
+from grounding.pooling import Pooled
 from grounding.readings import Reading, readings
-from grounding.result import Grounding
+from grounding.result import GroundedAction, Grounding
+from grounding.returning import returned, returns
 from grounding.steps import Step, split
+from grounding.unanswered import open_options
 from grounding.world import World
 
 KEPT_SCENES = 16
@@ -44,12 +47,48 @@ class Understanding:
     graded: GradedBelief
     readings: tuple[Reading, ...]
 
-    def decided(self) -> Grounding:
-        """The answer."""
+    def decided(self, before: World | None = None) -> Grounding:
+        """The answer.
+
+        Args:
+            before: the world before the latest object was handled, where that is known.
+        """
         tree = self.readings[0].inference.tree
         parse = next((parse for parse in self.parses if parse.tree is tree), self.parses[0])
         result = decide(self.text, self.readings, self.scene, parse.unknown_words, self.graded)
+        if returns(tree):
+            result = returned(result, self.scene.layout.world, before)
         return replace(result, mended=parse.mended)
+
+    def options(self) -> tuple[Pooled, ...]:
+        """All that may be spoken of, the likeliest first; those that are left open where nothing helped."""
+        graded = self.graded if self.graded.options else None
+        found = options_of(self.readings, graded)
+        if found:
+            return found
+        bare = open_options(self.readings[0].inference.tree, self.scene)
+        return tuple(Pooled(names, 1 / len(bare), ((kind, 1.0),)) for kind, names in bare)
+
+    def action(self, option: Pooled) -> GroundedAction:
+        """What is to be done where an option is meant."""
+        return action_of(option, self.readings, self.scene, self.graded)
+
+
+@dataclass(frozen=True, eq=False)
+class Followed:
+    """How far the steps of an instruction were grounded.
+
+    Attributes:
+        grounding: the answer to all, or what is to be said of the first step that has none.
+        course: with the steps that have answers.
+        last: what is to be said of the step that has none, by itself; None where all have.
+        understanding: of the step that was read last.
+    """
+
+    grounding: Grounding
+    course: Course
+    last: Grounding | None
+    understanding: Understanding | None
 
 
 class Grounder:
@@ -78,42 +117,42 @@ class Grounder:
         """
         return cls(Parser.load(grammar), Adcg(load_model(weights)))
 
-    def ground(self, text: str, world: World, history: Sequence[str] = ()) -> Grounding:
+    def ground(self, text: str, world: World, history: Sequence[str] = (), before: World | None = None) -> Grounding:
         """Understand an instruction.
 
         Args:
             text: what the person said.
             world: what is there.
             history: ids of the objects handled before, the latest last.
+            before: the world before the latest was handled, where that is known ("put it back").
 
         Raises:
             LanguageError: the text has no words.
         """
-        return self.follow(self.course(text, world, history))[0]
+        return self.follow(self.course(text, world, history, before)).grounding
 
-    def course(self, text: str, world: World, history: Sequence[str] = ()) -> Course:
+    def course(self, text: str, world: World, history: Sequence[str] = (), before: World | None = None) -> Course:
         """The steps of an instruction, none of them grounded yet; see `ground`."""
         start = time.perf_counter()
         steps = split(self._parsed(text), self.scene(world), history)
-        return Course(text, steps, world, tuple(history), milliseconds=1000 * (time.perf_counter() - start))
+        return Course(text, steps, world, tuple(history), milliseconds=1000 * (time.perf_counter() - start),
+                      before=before)  # fmt: skip
 
-    def follow(self, course: Course) -> tuple[Grounding, Course]:
-        """Ground the steps that are left, as far as they have answers.
-
-        Returns:
-            the answer to all, or what is to be said of the first step that has none, and the course as far as it came.
-        """
+    def follow(self, course: Course) -> Followed:
+        """Ground the steps that are left, as far as they have answers."""
         start = time.perf_counter()
-        last = None
+        last, understanding = None, None
         while last is None and (step := course.next) is not None:
             scene = self.scene(course.world)
             text = course.text if len(course.steps) == 1 else step[0].tree.text
-            answer = self._read(text, step, scene, course.history).decided()
+            understanding = self._read(text, step, scene, course.history)
+            answer = understanding.decided(course.before)
             if answer.outcome == "grounded":
                 course = course.after(answer)
             else:
                 last = answer
-        return course.result(last).timed(course.milliseconds + 1000 * (time.perf_counter() - start)), course
+        result = course.result(last).timed(course.milliseconds + 1000 * (time.perf_counter() - start))
+        return Followed(result, course, last, understanding)
 
     def understand(self, text: str, world: World, history: Sequence[str] = ()) -> Understanding:
         """Read an instruction as one thing to do, in every way that is likely; see `ground`."""

@@ -121,7 +121,7 @@ class Grounding:
 
     def to_json(self) -> dict[str, Any]:
         """Plain values, the result format; "mended" only where words were."""
-        data = {
+        data: dict[str, Any] = {
             "instruction": self.instruction,
             "outcome": self.outcome,
             "actions": [action.to_json() for action in self.actions],

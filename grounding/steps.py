@@ -91,7 +91,9 @@ def _named(clause: Phrase) -> Noun | None:
         inner = [child for child in clause.phrases if child.tag == "VP"]
         return _named(inner[0]) if len(inner) == 1 and not objects else None
     noun = read_noun(objects[0])
-    told = noun.colors or noun.modifiers or noun.directions or noun.ordinals or noun.distance or noun.middle or noun.lone
+    told = (
+        noun.colors or noun.modifiers or noun.directions or noun.ordinals or noun.distance or noun.middle or noun.lone
+    )
     return noun if noun.head in _NAMED and (told or noun.head == "container") else None
 
 

@@ -53,7 +53,7 @@ def unanswered(tree: Phrase, scene: Scene, unknown: tuple[str, ...]) -> Unanswer
         return Unanswered("no_referent", missing or f"nothing here is {hollow!r}", heard)
     pronouns = [leaf.text for leaf in tree.leaves if leaf.text in _PRONOUNS]
     if asks and pronouns:
-        why = f"nothing was handled before, so that I do not know what {pronouns[0]!r} is; say which block"
+        why = f"I do not know what {pronouns[0]!r} is, as nothing was spoken of before; say which block"
         return Unanswered("not_understood", why, heard)
     if asks:
         return Unanswered("not_understood", "say what to handle: which block, row or tower", heard)

@@ -6,6 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from grounding.graded import history as past
 from grounding.graded import scores, sets
 from grounding.graded import words as w
 from grounding.graded.nouns import Noun, read_noun, read_words
@@ -57,6 +58,8 @@ class Reader:
     def noun(self, noun: Noun) -> Value:
         """What a noun that was read is worth."""
         n = self.scene.n
+        if self.history and past.is_recalled(noun):
+            return Value("objects", past.latest(self.history, self._base(noun)))
         if noun.conjoined:
             return self._conjoined(noun)
         if noun.head == "agent":
@@ -170,6 +173,9 @@ class Reader:
             weights = weights * (FLOOR + (1 - FLOOR) * self._lone(base))
         if noun.other and self.context is not None:
             weights = weights * (1 - 0.98 * self.context)
+        elif noun.other and self.history:
+            colors = tuple(item.color for item in scene.layout.things)
+            weights = weights * (FLOOR + (1 - FLOOR) * past.others(self.history, colors, noun))
         if not in_stack and not noun.plural and "up" not in noun.directions and "down" not in noun.directions:
             weights = weights * np.where(scene.clear, np.where(scene.stacked, STACKED, 1.0), BURIED)
         choices = [(np.ones(scene.n), 1.0)]
@@ -561,10 +567,6 @@ class Reader:
                     continue
                 found += self.effects(child, base)
             return found
-        if self.history and any(text in _HANDLED for leaf in phrase.leaves for text in (leaf.text,)):
-            latest = np.zeros(self.scene.n)
-            latest[self.history[-1]] = 1.0
-            return [Restriction(latest)]
         if any(text in ("not", "n't", "isn't", "without", "except") for text in own):
             return self._negated(phrase, base)
         inner = [child for child in phrase.phrases if child.tag in ("PP", "ADVP", "ADJP", "PRT")]
@@ -974,7 +976,6 @@ def _of_itself(modifier: Phrase) -> bool:
 
 
 _APART = frozenset("separated apart isolated detached separate".split())
-_HANDLED = frozenset("moved earlier previously stacked_before".split())
 _EMPHASIZED = frozenset("next in beside behind above below on at by near under to against between up".split())
 
 

@@ -1,0 +1,169 @@
+"""What a person answers to a question: one of the alternatives, a few of them, none, a place, or something else."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from grounding.graded.discourse import HANDLING
+from grounding.graded.nouns import Noun, read_noun
+from grounding.graded.reader import Reader
+from grounding.graded.scene import ROBOT, SPEAKER, Scene
+from grounding.language.lexicon import meanings
+from grounding.language.parser import Parse
+from grounding.language.tree import Phrase
+from grounding.missing import targets
+from grounding.symbols import LAST, Cardinal, Ordinal
+from grounding.world import Array
+
+TOLD = 0.6  # an alternative is taken when it has such a share of what an answer says
+MARGIN = 1.4
+TRUE = 0.04  # what describes all alternatives worse than this describes something else
+_LEFT = 0.4  # alternatives this much less likely than the best are left
+_YES = frozenset("yes yeah yep yup sure right correct exactly ok okay indeed affirmative true".split())
+_NO = frozenset("no nope nah neither none wrong incorrect negative not".split())
+_FILLING = frozenset(
+    "please thanks thank you i mean meant think want it it's its is that that's the this one ones of them these those "
+    "either um uh hm well oh so number option block box cube a two three".split()
+)
+_FORGETTING = ("never mind", "nevermind", "forget it", "cancel", "stop", "abort", "quit that", "leave it")
+_WORD = re.compile(r"[\w'-]+")
+
+
+@dataclass(frozen=True)
+class Answer:
+    """What an answer says about the alternatives.
+
+    Attributes:
+        kind: "chosen" (one of them, or with "both" several), "narrowed", "first" (the likeliest is to be asked for
+            alone), "none", "forgotten", or "other" where it is about something else.
+        places: of the alternatives that are left, in their order.
+        probability: of the chosen one.
+        rest: the words after "no", that may say what is meant instead.
+    """
+
+    kind: str
+    places: tuple[int, ...] = ()
+    probability: float = 0.0
+    rest: str = ""
+
+
+def words_of(text: str) -> list[str]:
+    """The words of an answer in lower case."""
+    return _WORD.findall(text.lower().replace("\u2019", "'"))
+
+
+def by_words(text: str, count: int, named: int) -> Answer | None:
+    """What yes, no and places in the list say; None where an answer has more to it.
+
+    Args:
+        text: the answer.
+        count: how many alternatives there are.
+        named: how many of them, the first ones, the question named.
+    """
+    words = words_of(text)
+    told = [word for word in words if word not in _FILLING]
+    if any(words == words_of(said) for said in _FORGETTING):
+        return Answer("forgotten")
+    if words and words[0] in _NO:
+        further = words[1:]
+        while further and further[0] in _FILLING - {"the", "a", "block"} | _NO:
+            further = further[1:]
+        rest = " ".join(further)
+        return Answer("none", tuple(range(named, count)), rest="" if set(further) <= _FILLING | _NO else rest)
+    agreed = _YES - {"right"} if named > 1 or {"the", "one"} & set(words) else _YES  # "the right one" is a side
+    if told and set(told) <= agreed:
+        return Answer("chosen", (0,), 0.99) if named == 1 else Answer("first", tuple(range(count)))
+    if told in (["both"], ["all"]):
+        return Answer("chosen", tuple(range(count if told == ["all"] else 2)), 0.99) if count > 1 else None
+    place = _listed(told, words, named)
+    return None if place is None else Answer("chosen", (place,), 0.99)
+
+
+def _listed(told: Sequence[str], words: Sequence[str], named: int) -> int | None:
+    """The alternative that "the second one", "2" or "the latter" points at, or None."""
+    if told in (["former"], ["latter"]):
+        return 0 if told == ["former"] else named - 1
+    if not told and words in (["one"], ["two"], ["three"], ["number", "two"], ["number", "three"], ["option", "two"]):
+        told = words[-1:]
+    if len(told) != 1 or named < 2:
+        return None
+    values = [s.value for s in meanings(told[0]) if isinstance(s, Ordinal | Cardinal)]
+    if told[0] in ("last", "final"):
+        values = [LAST]
+    if not values:
+        return None
+    place = named - 1 if values[0] == LAST else values[0] - 1
+    return place if 0 <= place < named else None
+
+
+def by_description(parses: Sequence[Parse], scene: Scene, options: Sequence[Sequence[str]]) -> Answer:
+    """Which alternatives a description holds of, as it is said to tell them apart.
+
+    Args:
+        parses: of the answer, the likeliest first.
+        scene: the world.
+        options: the ids of each alternative.
+    """
+    inside = np.zeros(scene.n)
+    for names in options:
+        inside[[scene.layout.index[name] for name in names if name in scene.layout.index]] = 1.0
+    views = (ROBOT,) if scene.layout.world.speaker is None else (ROBOT, SPEAKER)
+    best = Answer("other")
+    for view in views:
+        for parse in parses[:2]:
+            found = _told(parse, Reader(scene, view), inside, options)
+            if (found.kind != "other", found.probability) > (best.kind != "other", best.probability):
+                best = found
+    return best
+
+
+def _told(parse: Parse, reader: Reader, inside: Array, options: Sequence[Sequence[str]]) -> Answer:
+    noun = _described(parse.tree)
+    if noun is None or not inside.any():
+        return Answer("other")
+    weights = reader.within(noun, inside)
+    index = reader.scene.layout.index
+    held = np.array([min((weights[index[name]] for name in names if name in index), default=0.0) for names in options])
+    best, total = float(held.max(initial=0.0)), float(held.sum())
+    if best < TRUE:
+        return Answer("other")
+    order = np.argsort(-held, kind="stable")
+    second = float(held[order[1]]) if len(order) > 1 else 0.0
+    if best >= TOLD * total and best >= MARGIN * second:
+        return Answer("chosen", (int(order[0]),), best / total)
+    left = tuple(int(i) for i in np.flatnonzero(held >= _LEFT * best))
+    return Answer("narrowed", left, best / total) if len(left) < len(options) else Answer("other")
+
+
+def _described(tree: Phrase) -> Noun | None:
+    """The noun that an answer describes: its own, that of what a clause asks for, or a block with bare modifiers."""
+    if tree.tag == "NP":
+        return _singular(read_noun(tree))
+    for target in targets(tree):
+        noun = read_noun(target)
+        if noun.head in ("block", "container", "place") and not noun.strange:
+            further = tuple(p for p in tree.phrases if p.tag in ("PP", "SBAR", "ADVP", "ADJP"))
+            return _singular(replace(noun, modifiers=(*noun.modifiers, *further)))
+    if tree.tag in ("PP", "SBAR", "ADVP", "ADJP"):
+        return Noun(head="block", modifiers=(tree,))
+    modifiers = tuple(p for p in tree.phrases if p.tag in ("PP", "SBAR", "ADVP", "ADJP", "NP"))
+    return Noun(head="block", modifiers=modifiers) if tree.tag == "FRAG" and modifiers else None
+
+
+def _singular(noun: Noun) -> Noun | None:
+    """A noun as one of the alternatives: "the left", "the red"."""
+    if noun.strange:
+        return None
+    if noun.head == "place" and not noun.place:
+        return replace(noun, head="block")
+    return noun if noun.head == "block" else None
+
+
+def commands(parse: Parse) -> bool:
+    """Whether a text tells what to do, not only which one."""
+    verbs = {word for kinds in HANDLING.values() for word in kinds} - {"want", "need", "moved", "put down"}
+    return any(leaf.text in verbs and leaf.tag[:2] == "VB" for leaf in parse.tree.leaves)
