@@ -11,6 +11,7 @@ from pathlib import Path
 import models
 from grounding.course import Course
 from grounding.dialogue import action_of, decide, options_of
+from grounding.errors import LanguageError
 from grounding.factors import load_model
 from grounding.forbidding import without_forbidden
 from grounding.geometry.layout import Layout
@@ -27,6 +28,22 @@ from grounding.unanswered import open_options
 from grounding.world import World
 
 KEPT_SCENES = 16
+LONGEST = 200  # words that an instruction may have
+SENTENCE = 50  # words of a sentence that are parsed as one; longer ones are parsed in pieces
+
+
+def shortened(words: Sequence[str], most: int) -> str:
+    """A text whose sentences have at most so many words: longer ones end after a comma, else where they must."""
+    texts: list[str] = []
+    start = 0
+    for place, word in enumerate(words):
+        texts.append(word)
+        if word[-1] in ".!?;":
+            start = place + 1
+        elif place - start + 1 >= most or (place - start + 1 > most // 2 and word[-1] == ","):
+            texts[-1] += "."
+            start = place + 1
+    return " ".join(texts)
 
 
 @dataclass(frozen=True, eq=False)
@@ -127,7 +144,7 @@ class Grounder:
             before: the world before the latest was handled, where that is known ("put it back").
 
         Raises:
-            LanguageError: the text has no words.
+            LanguageError: the text has no words, or more than `LONGEST`.
         """
         return self.follow(self.course(text, world, history, before)).grounding
 
@@ -159,7 +176,15 @@ class Grounder:
         return self._read(text, self._parsed(text), self.scene(world), history)
 
     def _parsed(self, text: str) -> tuple[Parse, ...]:
-        """The parses, without sentences that forbid where others tell what to do."""
+        """The parses, without sentences that forbid where others tell what to do.
+
+        Raises:
+            LanguageError: the text has no words, or far more than an instruction has.
+        """
+        words = text.split()
+        if len(words) > LONGEST:
+            raise LanguageError(f"expected at most {LONGEST} words and found {len(words)}; say it in fewer")
+        text = text if len(words) <= SENTENCE else shortened(words, SENTENCE)
         return tuple(replace(p, tree=without_forbidden(p.tree)) for p in self.parser.parse(text, self.parses))
 
     def _read(self, text: str, parses: Step, scene: Scene, history: Sequence[str]) -> Understanding:

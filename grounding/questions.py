@@ -53,7 +53,7 @@ def where(destination: Destination, describer: Describer) -> str:
 
 
 def _which(meant: Sequence[tuple[str, ...]], describer: Describer, more: int) -> str:
-    rivals = tuple(dict.fromkeys(name for objects in meant for name in objects))
+    rivals = () if more else tuple(dict.fromkeys(name for objects in meant for name in objects))
     named = list(meant[:NAMED])
     rest = len(meant) - len(named) + more
     sizes = {len(objects) for objects in meant}

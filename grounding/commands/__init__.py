@@ -6,6 +6,7 @@ the exit code. Errors of `GroundingError` and `OSError` are left to `grounding._
 
 SUMMARIES = {
     "ground": "words and a world to goals",
+    "dialogue": "a conversation: instructions, questions, answers",
     "batch": "ground many instructions from a file",
     "train": "train grammar and weights from a corpus",
     "corpus": "show, check and convert corpora",

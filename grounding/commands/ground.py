@@ -83,6 +83,8 @@ def describe(result: Grounding) -> list[str]:
     if result.alternatives:
         lines.append("  other readings:" if result.actions else "  readings:")
         lines += [f"    {_action(action)}" for action in result.alternatives]
+    if result.mended:
+        lines.append(f"  read as: {', '.join(f'{written} as {read}' for written, read in result.mended)}")
     if result.unknown_words:
         lines.append(f"  unknown words: {', '.join(result.unknown_words)}")
     return lines

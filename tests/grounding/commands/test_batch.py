@@ -2,11 +2,13 @@
 
 import json
 
+import numpy as np
 import pytest
 
 import models
-from grounding import Grounder, load_world
+from grounding import Grounder, World, load_world, make_object
 from grounding.__main__ import main
+from grounding.result import OUTCOMES
 from grounding.world import world_to_json
 
 KEYS = {"id", "instruction", "outcome", "actions", "alternatives", "question", "explanation", "unknown_words",
@@ -151,3 +153,42 @@ def test_a_folder_is_no_output(files, capsys):
     assert run(files, LINES[0]) == (2, None)
     assert "is a folder" in capsys.readouterr().err
     assert left(files) == {"out.jsonl"}
+
+
+ODD = [
+    "", "   ", "...", "🤖🤖", "pick up the 🔴 block", "hebe den roten Block auf", "拿起红色的方块", "ramasse le bloc rouge",
+    "block " * 60, "pick up the red block " * 40, "put the red block on the blue block. " * 60, "word " * 500,
+    "the " * 30, "a" * 3000, "not " * 30, "1 2 3 4 5", "pick up block 7", "it", "put it on it", "yes", "\u0000 take",
+    "take\tthe\tred one", "(take [the {red} block", "take the red block" + "!" * 300,
+]  # fmt: skip
+
+
+def test_odd_texts_in_worlds_of_any_size_have_sane_results(files):
+    rng = np.random.default_rng(3)
+    table = make_object("table", "table", position=(0.65, 0, 0.691), size=(0.7, 1.8, 0.04))
+    colors = ("red", "blue", "green")
+    worlds = {}
+    for count in (0, 1, 200):
+        places = rng.uniform((0.4, -0.8), (0.9, 0.8), (count, 2))
+        blocks = [make_object(f"b{i}", color=colors[i % 3], position=(*place, 0.736)) for i, place in enumerate(places)]
+        worlds[f"of {count}"] = world_to_json(World((*blocks, table)))
+    (files / "worlds.json").write_text(json.dumps(worlds), encoding="utf-8")
+    lines = [{"id": f"{name} {i}", "world": name, "instruction": text, "history": ["b0", "b99999", 7, None]}
+             for name in worlds for i, text in enumerate(ODD)]  # fmt: skip
+    code, results = run(files, *lines)
+    assert code == 0
+    assert [result["id"] for result in results] == [line["id"] for line in lines]
+    for line, result in zip(lines, results, strict=True):
+        assert result["outcome"] in OUTCOMES
+        assert result["explanation"] or result["outcome"] == "grounded"
+        assert (result["question"] is not None) == (result["outcome"] == "ambiguous")
+        if line["world"] == "of 0":
+            assert result["outcome"] in ("no_referent", "not_understood")
+        if not any(character.isalnum() for character in line["instruction"]):
+            assert result["outcome"] == "not_understood"
+
+
+def test_what_is_far_too_long_is_refused(files):
+    _, (result,) = run(files, {"id": 1, "world": "four", "instruction": "take the block " * 100})
+    assert result["outcome"] == "not_understood"
+    assert "at most 200 words" in result["explanation"]
