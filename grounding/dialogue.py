@@ -133,7 +133,7 @@ def _pooled(found: Sequence[Reading], scene: Scene, graded: GradedBelief) -> Bel
     least = min(LISTED, EVEN * best)
     listed = [option for option in options if option.probability >= least]
     actions = tuple(action_of(option, found, scene, graded) for option in listed[: MOST + 1])
-    bearer = next((r for a, r in bearers.items() if a.objects == options[0].objects), None)
+    bearer = next((r for a, r in bearers.items() if _agrees(a, actions[0])), None)
     count = len(listed)
     sure = best >= ANSWERED and best >= MARGIN * second
     return Believed(actions, count, sure, shares, bearer or found[0], bearer is not None)
@@ -174,6 +174,14 @@ def _shares(found: Sequence[Reading]) -> tuple[dict[Action, float], dict[Action,
             shares[action] = shares.get(action, 0.0) + reading.weight / len(reading.actions)
             bearers.setdefault(action, reading)
     return shares, bearers
+
+
+def _agrees(action: Action, answer: GroundedAction) -> bool:
+    """Whether what the factors ask for is the answer, with the same things as the references of its place."""
+    if action.objects != answer.objects or (action.kind == "place") != (answer.action == "place"):
+        return False
+    place = answer.destination
+    return place is None or action.destination is None or set(place.reference) == set(action.destination.objects)
 
 
 def options_of(found: Sequence[Reading], graded: GradedBelief | None) -> tuple[Pooled, ...]:

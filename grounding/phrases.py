@@ -50,6 +50,8 @@ def by_answer(reading: Reading, graded: GradedBelief, actions: Sequence[Grounded
     target = next(iter(named), None)
     shares = {a.objects[0]: a.probability for a in actions if len(a.objects) == 1}
     members = set(actions[0].objects)
+    place = actions[0].destination
+    references = () if place is None else place.reference
 
     def symbols_of(phrase: Phrase, hypothesis: Hypothesis) -> Symbols:
         kept: Symbols = [
@@ -64,10 +66,22 @@ def by_answer(reading: Reading, graded: GradedBelief, actions: Sequence[Grounded
             found = named[phrase]
             if phrase is target:
                 found = dict.fromkeys(members, actions[0].probability) if len(members) > 1 else shares
+            else:
+                found = _leading(found, references)
             kept += [(ObjectSymbol(name), p) for name, p in found.items() if p >= _LIKELY or name in members][:_MOST]
         return kept
 
     return _walked(reading, symbols_of)
+
+
+def _leading(found: dict[str, float], references: tuple[str, ...]) -> dict[str, float]:
+    """The objects of a phrase, those that the answer refers to first, where they are among them."""
+    named = [name for name in references if name in found]
+    if not named or not found:
+        return found
+    best = max(found.values())
+    top = dict.fromkeys(named, best)
+    return {**top, **{name: min(p, found[named[0]]) for name, p in found.items() if name not in top}}
 
 
 def _agreeing(graded: GradedBelief, objects: tuple[str, ...]) -> GradedReading:

@@ -14,6 +14,7 @@ from grounding.graded.discourse import HANDLING, clauses_of, read_text
 from grounding.graded.nouns import Noun, read_noun
 from grounding.graded.reader import Reader
 from grounding.graded.scene import Scene
+from grounding.graded.words import is_between
 from grounding.language.parser import Parse
 from grounding.language.tree import Phrase, Word
 from grounding.world import Array
@@ -112,19 +113,58 @@ def _shared(clause: Phrase) -> list[Phrase]:
         inner = last.children[-1] if last.tag == "S" else last
         if isinstance(inner, Phrase) and _named(inner) is not None:
             return [Phrase("VP", (*clause.children[:-1], *before)), *_shared(inner)]
-    for place, child in enumerate(clause.children):
-        if not isinstance(child, Phrase) or child.tag != "PP":
-            continue
-        joint = next((i for i, part in enumerate(child.children) if isinstance(part, Word) and part.tag == "CC"), None)
-        last = child.children[-1]
-        if joint and isinstance(last, Phrase) and last.tag == "NP" and isinstance(child.children[0], Phrase):
-            parts = last.children if last.phrases and last.phrases[0].tag == "NP" else (last,)
-            verb = tuple(c for c in clause.children if isinstance(c, Word) and c.text in _ACTING)
-            first = Phrase("VP", (*clause.children[:place], *child.children[:joint]))
-            second = Phrase("VP", (*verb, *parts, *clause.children[place + 1 :]))
-            if len(parts) > 1 or place + 1 < len(clause.children):
-                return [first, *_shared(second)]
-    return [clause]
+    joint = next((leaf for leaf in clause.leaves[3:] if leaf.tag == "CC" and leaf.text == "and"), None)
+    verb = tuple(word for word in clause.words if word.text in HANDLING["place"])
+    if joint is None or not verb or any(is_between(leaf.text) for leaf in clause.leaves):
+        return [clause]
+    left = _cut(clause, 0, joint.index)
+    right = _cut(clause, joint.index + 1, clause.leaves[-1].index + 1)
+    if left is None or right is None or not any(_places(phrase) for phrase in left.preorder()):
+        return [clause]
+    pieces = _pieces(right)
+    if len(pieces) < 2 or pieces[0].tag != "NP" or not _places(pieces[1]):
+        return [clause]
+    second = Phrase("VP", (*(replace(word, index=joint.index) for word in verb), *pieces))  # the verb is understood
+    return [_lifted(left), *_shared(second)] if _named(second) is not None else [clause]
+
+
+def _lifted(clause: Phrase) -> Phrase:
+    """A command whose destination was read as part of its object, with the destination beside it."""
+    last = clause.children[-1]
+    while isinstance(last, Phrase) and last.tag == "NP" and len(last.children) == 1 and last.phrases:
+        last = last.phrases[0]
+    if isinstance(last, Phrase) and last.tag == "NP" and len(last.phrases) > 1 and _places(last.phrases[-1]):
+        return Phrase(clause.tag, (*clause.children[:-1], *last.children))
+    return clause
+
+
+def _places(phrase: Phrase) -> bool:
+    """Whether a phrase sets something in relation to a thing."""
+    words = [word.text for word in phrase.words]
+    return phrase.tag == "PP" and bool(words) and words != ["of"] and any(p.tag == "NP" for p in phrase.phrases)
+
+
+def _cut(phrase: Phrase, start: int, end: int) -> Phrase | None:
+    """What is left of a phrase between two positions of words, or None."""
+    kept: list[Word | Phrase] = []
+    for child in phrase.children:
+        if isinstance(child, Word):
+            if start <= child.index < end:
+                kept.append(child)
+        elif (part := _cut(child, start, end)) is not None:
+            kept.append(part)
+    return Phrase(phrase.tag, tuple(kept)) if kept else None
+
+
+def _pieces(phrase: Phrase) -> list[Phrase]:
+    """A thing and where it is to go, without the phrases around them that belonged to something else."""
+    words = [word for word in phrase.words if word.tag != "RB"]
+    if phrase.phrases and not words:
+        return [piece for child in phrase.phrases for piece in _pieces(child)]
+    first = phrase.children[0]
+    if phrase.tag == "PP" and isinstance(first, Phrase) and first.tag == "NP" and len(phrase.children) > 2:
+        return [first, Phrase("PP", phrase.children[1:])]
+    return [phrase]
 
 
 def _rooted(clauses: Sequence[Phrase]) -> Phrase:

@@ -47,6 +47,28 @@ def carry_out(stage: Stage, action: GroundedAction, arm: str) -> tuple[Check, ..
     raise NoPlan(message, action.objects, "InvalidGoal")
 
 
+def refuse_beyond_hands(actions: Sequence[GroundedAction]) -> None:
+    """Refuses actions that would leave more things in the hands than there are hands, before anything is done.
+
+    Raises:
+        NoPlan: there are more.
+    """
+    held: list[str] = []
+    for action in actions:
+        if action.action == "pick":
+            held += [name for name in action.objects if name not in held]
+        else:
+            held = [name for name in held if name not in action.objects]
+        if len(held) > len(ARMS):
+            listed = ", ".join(held)
+            raise NoPlan(
+                f"{len(held)} blocks would be held at once ({listed}), but there are two hands that hold one each; "
+                "say where to put one of them before the next is picked up",
+                tuple(held),
+                "hands",
+            )
+
+
 def _pick(stage: Stage, objects: Sequence[str], arm: str) -> tuple[Check, ...]:
     if len(objects) > len(ARMS):
         raise NoPlan(

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Protocol
 
 from grounding.result import GroundedAction, Grounding
 from grounding.world import World
-from integration.actions import carry_out
+from integration.actions import carry_out, refuse_beyond_hands
 from integration.checks import Check
 from integration.errors import NoPlan, UsageError
 from integration.incidents import Trouble
@@ -124,6 +124,8 @@ class Executor:
         with stage:
             done: list[Check] = []
             try:
+                if len(grounding.actions) > 1:
+                    refuse_beyond_hands(grounding.actions)
                 stage.settle(tuple(name for action in grounding.actions for name in action.objects))
                 for action in grounding.actions:
                     done += carry_out(stage, action, self._arm)

@@ -46,11 +46,25 @@ def test_one_thing_is_one_place(text):
       [("clear", (FIRST,)), ("pick", (LAST,))]),
      ("put the leftmost block on the nearest block and then the rightmost block next to the farthest block",
       [("place", (FIRST,)), ("place", (LAST,))]),
+     ("put the leftmost block on the nearest block and the rightmost block behind the farthest block",
+      [("place", (FIRST,)), ("place", (LAST,))]),
+     ("stack the leftmost block on the nearest blue block, and the rightmost block on the farthest blue block",
+      [("place", (FIRST,)), ("place", (LAST,))]),
      ("put the leftmost block on the nearest block and pick up the rightmost block",
       [("place", (FIRST,)), ("pick", (LAST,))])],
 )  # fmt: skip
 def test_two_things_are_done_in_order(text, expected):
     assert actions(text) == expected
+
+
+@pytest.mark.parametrize(
+    "text", ["put the leftmost block between the nearest blue block and the farthest block on the right",
+             "put the leftmost block and the rightmost block on the nearest blue block"]
+)  # fmt: skip
+def test_things_that_are_joined_are_no_steps(text):
+    result = grounder().ground(text, scene())
+    assert "step" not in result.explanation
+    assert len(result.actions) <= 1
 
 
 def test_the_second_step_sees_what_the_first_has_done():

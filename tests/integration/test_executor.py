@@ -172,6 +172,20 @@ def _told(report):
     return json.dumps(data)
 
 
+def test_more_than_the_hands_hold_is_refused_before_anything_moves():
+    picks = tuple(GroundedAction("pick", (name,), 1.0) for name in ("b1", "b2", "b3"))
+    report = Executor().execute(Grounding("take b1, b2 and b3", "grounded", picks), scene("four"))
+    assert (report.outcome, report.exit_code, report.handled) == ("no_plan", 4, ())
+    assert "3 blocks would be held at once (b1, b2, b3)" in report.message
+
+
+def test_what_is_said_in_two_steps_is_done_in_two():
+    text = "move the leftmost block out of the way and pick up the rightmost block"
+    report = Executor().run(text, scene("four"))
+    assert report.outcome == "done"
+    assert [(item.action, item.object) for item in report.handled] == [("clear", "b1"), ("pick", "b4")]
+
+
 def test_the_same_seed_gives_the_same_report():
     for grounding, world in ((middle_of_the_row(), "default"), (nearest_on_the_green_tower(), "tower")):
         first, second = (Executor(seed=7).execute(grounding, scene(world)) for _ in range(2))

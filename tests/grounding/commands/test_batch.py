@@ -156,7 +156,8 @@ def test_a_folder_is_no_output(files, capsys):
 
 
 ODD = [
-    "", "   ", "...", "🤖🤖", "pick up the 🔴 block", "hebe den roten Block auf", "拿起红色的方块", "ramasse le bloc rouge",
+    "", "   ", "...", "🤖🤖", "pick up the 🔴 block", "hebe den roten Block auf", "拿起红色的方块",
+    "ramasse le bloc rouge",
     "block " * 60, "pick up the red block " * 40, "put the red block on the blue block. " * 60, "word " * 500,
     "the " * 30, "a" * 3000, "not " * 30, "1 2 3 4 5", "pick up block 7", "it", "put it on it", "yes", "\u0000 take",
     "take\tthe\tred one", "(take [the {red} block", "take the red block" + "!" * 300,
