@@ -79,6 +79,7 @@ def read_text(tree: Phrase, reader: Reader) -> Told:
     if told.target is None:
         _guess(tree, reader, told)
     told.whole = tree
+    reader.context = told.mentioned
     return told
 
 
@@ -283,7 +284,8 @@ def _sentence(clause: Phrase, reader: Reader, told: Told) -> None:
             noun = _with(nouns[0], before, reader)
             if len(rest) > 1 and rest[0].tag == "PP" and noun.head == "block" and not _informative(noun):
                 noun = _with(noun, [rest.pop(0)], reader)
-            if len(rest) > 1 and rest[0].tag == "PP" and not _leads(rest[0]) and _results(rest[-1]):
+            fresh = noun.head != "pronoun"
+            if fresh and len(rest) > 1 and rest[0].tag == "PP" and not _leads(rest[0]) and _results(rest[-1]):
                 noun = _with(noun, [rest.pop(0)], reader)
             while (
                 told.continued

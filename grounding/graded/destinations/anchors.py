@@ -70,8 +70,7 @@ def _boxes(found: list[tuple[tuple[int, ...], float]], points: Array) -> Anchors
     members: list[tuple[int, ...]] = []
     shares: list[float] = []
     for group, chance in sorted(found, key=lambda item: -item[1])[: 2 * _MOST]:
-        inside = points[list(group)]
-        key = tuple(np.round(np.concatenate([inside.min(axis=0), inside.max(axis=0)]), 1).tolist())
+        key = _corners(group, points)
         if key in places:
             shares[places[key]] += chance  # members of one stack stand at one place
             continue
@@ -82,9 +81,19 @@ def _boxes(found: list[tuple[tuple[int, ...], float]], points: Array) -> Anchors
         return None
     share = np.array(shares[:_MOST]) / sum(shares)
     kept = np.flatnonzero(share >= _LEAST * share.max())
-    boxes = [points[list(members[i])] for i in kept]
+    boxes = [points[list(members[i])] if len(members[i]) > 1 else points[members[i][0]][None] for i in kept]
     return Anchors(tuple(members[i] for i in kept), share[kept], np.array([b.min(axis=0) for b in boxes]),
                    np.array([b.max(axis=0) for b in boxes]))  # fmt: skip
+
+
+def _corners(group: tuple[int, ...], points: Array) -> tuple[float, ...]:
+    """Corners of the box around objects, coarsely: what is alike stands at one place."""
+    if len(group) == 1:
+        x, y = points[group[0]].tolist()
+        return round(x, 1), round(y, 1)
+    inside = points[list(group)]
+    corners = [round(value, 1) for value in (*inside.min(axis=0).tolist(), *inside.max(axis=0).tolist())]
+    return tuple(corners[:2]) if corners[:2] == corners[2:] else tuple(corners)
 
 
 def _objects(noun: Noun, source: int, reader: Reader) -> list[tuple[tuple[int, ...], float]]:

@@ -19,8 +19,9 @@ _DEFINITE = frozenset("the this that these those both all".split())
 _MOVING = frozenset("place put move set stack position lay slide shift".split())
 _RESULTS = frozenset("so until making creating forming where such".split())
 _RELATING = frozenset(
-    "between on onto of touching touches touch next with by beside near against to atop among".split()
+    "between on onto of touching touches touch next with by beside near against atop among".split()
 )
+_STORIES = frozenset("story storey stories floor level".split())
 _OWN = frozenset("its it's their".split())
 
 
@@ -139,7 +140,10 @@ def _opens_distance(phrase: Phrase, noun: Noun, items: list[Item]) -> bool:
     )
     counted = any(number(t) is not None for t in texts) or any(w.is_measure(t) for t in texts)
     led = any(w.directions(leaf.text) or leaf.text in ("behind", "from") for leaf in noun.modifiers[0].leaves[:5])
-    related = bool(items) and items[-1].text in _RELATING
+    before = [item.text for item in items[-2:]]
+    related = before[-1:] == ["to"] and before[:1] != before[-1:] and w.is_beside(before[0]) or bool(
+        before and before[-1] in _RELATING
+    )
     return plain and counted and (led or all(number(t) is not None for t in texts)) and not related
 
 
@@ -230,7 +234,7 @@ def _measure(phrase: Phrase, noun: Noun, items: list[Item]) -> None:
 def _arrangement(phrase: Phrase, noun: Noun, items: list[Item]) -> None:
     """Rows and columns are places by themselves: what else is said stands beside them."""
     texts = [leaf.text for leaf in phrase.leaves]
-    if texts in (["line"], ["row"], ["column"]) or "same" in texts[:2]:
+    if texts in (["line"], ["row"], ["column"]) or "same" in texts[:2] or _STORIES & set(texts[:4]):
         _spread(phrase, items)
         return
     made = not noun.definite and (not noun.modifiers or texts[0] in ("a", "an"))

@@ -295,12 +295,7 @@ class _Listener(Memory):
         if not related or self.since[-1:] in (["so"], ["that"], ["until"]):
             self.since.append(item.text)
             return
-        last = self.named_last()
-        if last is not None:
-            self._refer(last)
-        else:
-            self.flush()
-            self.forget()
+        self._refer(self.named_last() or Noun(head="pronoun", text=item.text))
 
     def _locate(self, noun: Noun | None) -> None:
         if noun is None:

@@ -49,7 +49,10 @@ class Memory:
 
     def lead_from(self, noun: Noun, strict: bool) -> None:
         """Directions from one thing belong together, also where it is named twice."""
-        offsets, self.offsets = tuple(self.offsets), []
+        start = _restart(self.offsets)
+        bound, self.offsets = self.offsets[start:], self.offsets[:start]
+        self.flush()
+        offsets = tuple(bound)
         last = self.clues[-1] if self.clues else None
         if last is not None and last.relation == "offset" and last.nouns[0].text == noun.text:
             self.clues[-1] = replace(last, offsets=(*last.offsets, *offsets), strict=strict or last.strict)
@@ -102,3 +105,15 @@ class Memory:
         if self.tower and not any(clue.relation == "on" for clue in self.clues):
             self.clues.append(Clue("tower"))
         return self.clues
+
+
+def _restart(offsets: list[Offset]) -> int:
+    """Where directions begin again along an axis: "down and to the left, half a space right of X" is two ways."""
+    for place in range(len(offsets) - 1, 0, -1):
+        later = {_AXIS[name] for offset in offsets[place:] for name in offset.names}
+        if later & {_AXIS[name] for name in offsets[place - 1].names}:
+            return place
+    return 0
+
+
+_AXIS = {"left": 0, "right": 0, "front": 1, "back": 1, "up": 1, "down": 1}

@@ -143,6 +143,8 @@ def _ground(clue: Clue, source: int, plan: Plan, reader: Reader) -> _Grounded | 
     anchors = find_anchors(clue.nouns, source, plan.points, reader) if clue.nouns else None
     if anchors is None:
         return _Grounded(Clue("own", (), clue.offsets), None, shift) if clue.offsets else None
+    if anchors.members == ((source,),):  # "to the left of it"
+        return _Grounded(Clue("own", (), clue.offsets), None, shift) if clue.offsets else None
     return _Grounded(clue, anchors, shift)
 
 
@@ -205,7 +207,8 @@ def _exact(grounded: list[_Grounded], source: int, plan: Plan, reader: Reader) -
 
 def _choose(places: Places, belief: Array, grounded: list[_Grounded], held: list[Array], plan: Plan) -> Spot | None:
     """The place with the most belief around it."""
-    kept = np.argsort(-belief, kind="stable")[:_KEPT]
+    kept = np.argpartition(-belief, min(_KEPT, len(belief) - 1))[:_KEPT]
+    kept = kept[np.lexsort((kept, -belief[kept]))]
     weights = belief[kept]
     total = float(belief.sum())
     if total <= 0:

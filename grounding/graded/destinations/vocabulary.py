@@ -15,7 +15,7 @@ SMALL = frozenset("slightly bit little tad barely smidge".split())
 LARGE = frozenset("far way farthest furthest far-left far-right extreme very".split())
 AXES = {"row": "row", "rows": "row", "horizontally": "row", "horizontal": "row", "column": "column",
          "columns": "column", "vertically": "column", "vertical": "column"}  # fmt: skip
-BREAKS = frozenset("then until so where such".split())
+BREAKS = frozenset("then until so where such making leaving".split())
 BINDING = {"above": "back", "behind": "back", "below": "front", "under": "front", "beneath": "front",
             "underneath": "front", "beyond": "back"}  # fmt: skip
 LINKS = frozenset("of from the a an side edge corner face end hand directly just immediately right about roughly "
