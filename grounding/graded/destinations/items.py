@@ -18,9 +18,7 @@ _LENGTHS = frozenset("row rows column columns line lines level levels".split())
 _DEFINITE = frozenset("the this that these those both all".split())
 _MOVING = frozenset("place put move set stack position lay slide shift".split())
 _RESULTS = frozenset("so until making creating forming where such".split())
-_RELATING = frozenset(
-    "between on onto of touching touches touch next with by beside near against atop among".split()
-)
+_RELATING = frozenset("between on onto of touching touches touch next with by beside near against atop among".split())
 _STORIES = frozenset("story storey stories floor level".split())
 _OWN = frozenset("its it's their".split())
 
@@ -141,8 +139,11 @@ def _opens_distance(phrase: Phrase, noun: Noun, items: list[Item]) -> bool:
     counted = any(number(t) is not None for t in texts) or any(w.is_measure(t) for t in texts)
     led = any(w.directions(leaf.text) or leaf.text in ("behind", "from") for leaf in noun.modifiers[0].leaves[:5])
     before = [item.text for item in items[-2:]]
-    related = before[-1:] == ["to"] and before[:1] != before[-1:] and w.is_beside(before[0]) or bool(
-        before and before[-1] in _RELATING
+    related = (
+        before[-1:] == ["to"]
+        and before[:1] != before[-1:]
+        and w.is_beside(before[0])
+        or bool(before and before[-1] in _RELATING)
     )
     return plain and counted and (led or all(number(t) is not None for t in texts)) and not related
 

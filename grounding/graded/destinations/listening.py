@@ -23,6 +23,7 @@ from grounding.graded.destinations.vocabulary import (
     BINDING,
     BREAKS,
     EMPHASIZED,
+    FACES,
     IN,
     LARGE,
     LINKING,
@@ -314,9 +315,11 @@ class _Listener(Memory):
         self.forget()
 
     def _on_table(self) -> None:
-        if self.offsets and self.offsets[-1].steps is None and self.binds():
-            names = tuple(name for offset in self.offsets for name in offset.names)
-            self.offsets = []
+        edge = bool(FACES & set(self.since)) and "to" in self.since
+        if self.offsets and self.offsets[-1].steps is None and (self.binds() or edge):
+            names = tuple(name for offset in self.offsets for name in offset.names if offset.steps is None)
+            self.offsets = [offset for offset in self.offsets if offset.steps is not None]
+            self.flush()
             self.clues.append(Clue("place", (Noun(head="place", directions=names),), axis=self.extent))
         self.flush()
         self.forget()

@@ -12,13 +12,13 @@ from grounding.graded.destinations.places import PITCH, Places, Plan
 from grounding.graded.reader import Reader
 from grounding.world import Array
 
-OWN_UNSAID = {"": 2.8, "slightly": 0.8, "far": 5.0}
+OWN_UNSAID = {"": 2.25, "slightly": 0.5, "far": 5.0}
 """How far things are moved where only a direction is said [edges]."""
-BESIDES = 1.4  # how far along one axis where the other one is spoken of as well [edges]
-SPREAD = 0.7  # of that, as a factor's logarithm
-STRETCH = {1: 1.3, 2: 1.14}
+BESIDES = 1.15  # how far along one axis where the other one is spoken of as well [edges]
+SPREAD = 1.1  # of that, as a factor's logarithm
+STRETCH = {1: 1.2, 2: 1.14}
 """How long people's steps are, by the number of axes along which they go [edges]: a step leaves a gap."""
-FROM_CENTRE, FROM_SIDE = 0.6, 0.45
+FROM_CENTRE, FROM_SIDE = 1.0, 0.45
 """How often so many blocks from something are counted from its centre, and how often between the sides."""
 BESIDE = {"": 1.3, "slightly": 0.8, "far": 4.0}  # how far from a reference [edges]
 

@@ -14,7 +14,7 @@ PITCH = 1.09  # from block to block where they lie side by side [edges]
 _CELLS = 600  # of the grid, about
 _FINE = 0.5  # the grid's step, at least [edges]
 _REACH = 4.0  # the grid's border around the objects where there is no table [edges]
-_CELL, _FACE, _DIAGONAL, _APART, _EXACT, _TOP = 1.0, 6.0, 2.0, 2.0, 4.0, 20.0
+_CELL, _FACE, _DIAGONAL, _APART, _EXACT, _TOP = 1.0, 5.0, 1.6, 2.0, 4.0, 20.0
 """How often people choose such places: half of what they move comes to stand on or right beside something."""
 _FACES = np.array([[1.0, 0], [-1, 0], [0, 1], [0, -1]])
 _CORNERS = np.array([[1.0, 1], [1, -1], [-1, 1], [-1, -1]])

@@ -11,7 +11,7 @@ from grounding.graded.reader import Reader
 from grounding.world import Array
 
 OUT = 0.68  # how far out sides and corners are, of the way from the middle to the edge
-ALONG = 0.2  # width along what is named, of the half extent
+ALONG = 0.16  # width along what is named, of the half extent
 ACROSS = 0.6  # width across it
 
 

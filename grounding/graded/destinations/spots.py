@@ -27,7 +27,7 @@ NEAR = 0.6  # places so close [edges] are as good as one another
 UNPARTED = 0.7  # how much a place counts that was found in a text whose parts are not known
 HELD = 0.01  # where no clue agrees so much with any place, there is no room where it would
 STAYING = 0.3  # what goes less far [edges] is not moved
-NEARER = 60.0  # of places that the words leave open the nearer ones are preferred, fading over so many edges
+NEARER = 75.0  # of places that the words leave open the nearer ones are preferred, fading over so many edges
 _KEPT = 60  # of the best places are compared
 _CROSSED = 7  # coordinates of exact points that are combined
 
