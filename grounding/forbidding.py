@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from grounding.graded.discourse import HANDLING
 from grounding.language.tree import Phrase
 
 _NEGATIONS = frozenset(("not", "n't", "never", "don't", "dont"))
 _STATING = frozenset(("is", "are", "'s", "does", "was", "were", "am", "be", "will", "would", "should", "has", "have"))
+_HANDLED = frozenset(word for verbs in HANDLING.values() for word in verbs)
 _CLAUSES = ("VP", "S")
 
 
@@ -43,7 +45,8 @@ def _denies(clause: Phrase) -> bool:
     for phrase in _verbal(clause):
         texts = [leaf.text for word in phrase.children for leaf in ([word] if not isinstance(word, Phrase) else
                  word.leaves if word.tag in ("PP", "ADVP", "PRT") and not word.phrases else [])]  # fmt: skip
-        if _NEGATIONS & set(texts) and not _STATING & set(texts):
+        place = next((i for i, text in enumerate(texts) if text in _NEGATIONS), None)
+        if place is not None and not _STATING & set(texts) and not _HANDLED & set(texts[:place]):
             return True
     return False
 

@@ -16,6 +16,7 @@ from grounding.numbers import listed, ranked, spelled
 
 _LOOKS = 0.35  # an arrangement that looks less like one than this is not spoken of
 _MOSTS = {"row": "longest", "column": "longest", "diagonal": "longest", "tower": "highest"}
+_NO_THINGS = frozenset("arm arms hand hands finger fingers gripper outside inside beginning rest bit".split())
 _THINGS = ("block", "container")
 
 
@@ -76,7 +77,14 @@ def _strange(phrase: Phrase, layout: Layout) -> str | None:
     if not words or words[-1].tag not in ("NN", "NNS", "NNP", "NNPS"):
         return None
     noun, name = read_noun(base), words[-1].text
-    known = not noun.strange or meanings(name) or name in layout.types or name not in noun.unknown or len(name) < 2
+    known = (
+        name in _NO_THINGS
+        or not noun.strange
+        or meanings(name)
+        or name in layout.types
+        or name not in noun.unknown
+        or len(name) < 2
+    )
     return None if known else name
 
 
@@ -140,7 +148,7 @@ def _arrangement(noun: Noun, scene: Scene) -> str | None:
     counts = sorted(int(mask.sum()) for mask in found)
     if not counts:
         return f"there is no {told} here" if number is None else f"there is no {told} of {spelled(number)} blocks here"
-    if number is not None and number not in counts:
+    if number is not None and number > 2 and number not in counts:  # any two make a row
         best = max(counts) if number > max(counts) else min(counts, key=lambda count: (abs(count - number), -count))
         which = f"the {_MOSTS.get(kind, 'largest')} has" if best == max(counts) else "the nearest to that has"
         return f"there is no {told} of {spelled(number)} blocks; {which} {spelled(best)}"

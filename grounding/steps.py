@@ -27,6 +27,7 @@ PLACED = 0.6  # once something has its place, and something is to be picked up, 
 HOLDS = 0.1  # what is described worse than this is no thing to handle
 _PREPARING = frozenset("touch reach raise want need hold see look find".split())
 _ACTING = frozenset(word for words in HANDLING.values() for word in words) - _PREPARING
+_POINTING = frozenset("that this those these".split())
 _NAMED = ("block", "container")
 
 
@@ -92,6 +93,8 @@ def _named(clause: Phrase) -> Noun | None:
         inner = [child for child in clause.phrases if child.tag == "VP"]
         return _named(inner[0]) if len(inner) == 1 and not objects else None
     noun = read_noun(objects[0])
+    if noun.text.split(" ", 1)[0] in _POINTING:
+        return None
     told = (
         noun.colors or noun.modifiers or noun.directions or noun.ordinals or noun.distance or noun.middle or noun.lone
     )
