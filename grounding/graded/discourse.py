@@ -22,6 +22,13 @@ HANDLING = {
              "lands rests".split(),
     "clear": "clear remove".split(),
 }  # fmt: skip
+_SETTING_OFF = frozenset(
+    (
+        "move moves moving put place places position positions set shift shifts slide "
+        "slides stack stacks join joins leap leaps hop hops jump jumps drop drops fall "
+        "falls align aligns"
+    ).split()
+)
 _LOOKING = frozenset("look find locate see focus consider notice search narrow identify imagine observe looking "
                      "there there's".split())  # fmt: skip
 _BEING = frozenset("is are 's was were be being re".split())
@@ -80,12 +87,21 @@ def read_text(tree: Phrase, reader: Reader) -> Told:
         _guess(tree, reader, told)
     told.whole = tree
     reader.context = told.mentioned
+    if told.kind == "pick" and not told.destination and _only_moves(tree):
+        told.kind = "place"
     return told
 
 
 def clauses_of(tree: Phrase) -> list[Phrase]:
     """The clauses of a text, in order."""
     return [_possessed(clause) for clause in _clauses(tree)]
+
+
+def _only_moves(tree: Phrase) -> bool:
+    """Whether a text that was not understood clause by clause speaks of moving something, and not of picking it."""
+    texts = {leaf.text for leaf in tree.leaves}
+    moving = any(leaf.text in _SETTING_OFF and leaf.tag in ("VB", "VBZ", "VBP", "VBG") for leaf in tree.leaves)
+    return moving and not texts & set(HANDLING["pick"])
 
 
 def _guess(tree: Phrase, reader: Reader, told: Told) -> None:

@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 import models
 from grounding.geometry.layout import Layout
 from grounding.graded.belief import believe
+from grounding.graded.destinations import find_spot
 from grounding.graded.scene import Scene
 from grounding.language.parser import Parser
 from grounding.world import FURNITURE, World, load_world, make_object
@@ -166,6 +167,27 @@ def test_a_later_sentence_tells_where_it_is_then():
     place = where("Move the red block to the right. It is now left of the green block.")
     assert place[1] < WORLD["red"].position[1]
     assert 0.99 * EDGE < place[1] - WORLD["green"].position[1] < 3 * EDGE
+
+
+def test_it_is_what_was_spoken_of_before():
+    place = where("There is a green block. Move the red block to the left of it.")
+    assert 0.99 * EDGE < place[1] - WORLD["green"].position[1] < 3 * EDGE
+
+
+def test_directions_that_begin_again_lead_from_what_is_named_then():
+    place = where("move the red block down and to the right, one space to the left of the green block")
+    assert place[1] > WORLD["green"].position[1] + 0.99 * EDGE
+    assert place[0] < WORLD["red"].position[0]
+
+
+def test_what_is_certain_is_told_of():
+    """A place that is told exactly is more certain than one that is left open."""
+    scene = Scene(Layout(WORLD))
+    found = []
+    for text in ("put the red block on the blue block", "move the red block to the left"):
+        reading = believe(parsed(text), scene).readings[0]
+        found.append(find_spot(reading.told.destination, scene.layout.index["red"], reading.reader).certainty)
+    assert 0 < found[1] < found[0] <= 1
 
 
 def test_a_row_that_is_to_come_about():
