@@ -29,7 +29,7 @@ unit: $(READY)
 
 weights: $(READY)
 	$(BIN)/python -m grounding corpus annotate
-	OPENBLAS_NUM_THREADS=1 $(BIN)/python -m grounding train
+	OPENBLAS_NUM_THREADS=1 $(BIN)/python -m grounding train --generated 3000 --hold-out
 
 setup: $(READY)
 

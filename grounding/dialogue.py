@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -21,8 +22,10 @@ from grounding.result import Destination, GroundedAction, Grounding
 from grounding.symbols import Action, Region, symbol_key
 from grounding.unanswered import open_options, unanswered
 
-ANSWERED = 0.4  # an answer is given when it is so likely
+ANSWERED = 0.3  # an answer is given when it is so likely
 MARGIN = 1.4  # and so many times likelier than the next one
+TIE = 1.1  # graded readings whose shares differ by less do not tell two things apart
+WHOLLY = 0.9  # words that agree with the world so well hold of what they are said of
 CREDIBLE = 0.1  # what agrees less with the world is not answered where something is seen to be missing
 CONFIDENT = 0.62  # by the factors alone an answer is given when it is so likely
 EVEN = 0.2  # where many are possible, those that are at most so much less likely than the best are
@@ -135,8 +138,20 @@ def _pooled(found: Sequence[Reading], scene: Scene, graded: GradedBelief) -> Bel
     actions = tuple(action_of(option, found, scene, graded) for option in listed[: MOST + 1])
     bearer = next((r for a, r in bearers.items() if _agrees(a, actions[0])), None)
     count = len(listed)
-    sure = best >= ANSWERED and best >= MARGIN * second
+    sure = best >= ANSWERED and best >= _needed(graded) * second
     return Believed(actions, count, sure, shares, bearer or found[0], bearer is not None)
+
+
+def _needed(graded: GradedBelief) -> float:
+    """How many times likelier than the next the best option has to be.
+
+    Words that hold fully of several things cannot tell them apart; where they hold as well of another in part,
+    the factors alone must be surer.
+    """
+    shares = [share for _, share in graded.options[:2]]
+    if len(shares) < 2 or shares[0] >= TIE * shares[1]:
+        return MARGIN
+    return math.inf if graded.truth > WHOLLY else 2.0
 
 
 def _by_factors(found: Sequence[Reading], scene: Scene) -> Believed | None:
@@ -194,7 +209,8 @@ def options_of(found: Sequence[Reading], graded: GradedBelief | None) -> tuple[P
     factors: dict[tuple[str, tuple[str, ...]], float] = {}
     for action, share in _shares(found)[0].items():
         factors[action.kind, action.objects] = factors.get((action.kind, action.objects), 0.0) + share
-    return pool(factors, () if graded is None else graded.options)
+    words = len(found[0].inference.tree.leaves)
+    return pool(factors, () if graded is None else graded.options, words)
 
 
 def action_of(option: Pooled, found: Sequence[Reading], scene: Scene, graded: GradedBelief) -> GroundedAction:

@@ -44,7 +44,7 @@ def _denies(clause: Phrase) -> bool:
     """Whether the verb of a clause is denied, not what the clause says of things."""
     for phrase in _verbal(clause):
         texts = [leaf.text for word in phrase.children for leaf in ([word] if not isinstance(word, Phrase) else
-                 word.leaves if word.tag in ("PP", "ADVP", "PRT") and not word.phrases else [])]  # fmt: skip
+                 word.leaves if word.tag in ("PP", "ADVP", "PRT") and len(word.leaves) <= 2 else [])]  # fmt: skip
         place = next((i for i, text in enumerate(texts) if text in _NEGATIONS), None)
         if place is not None and not _STATING & set(texts) and not _HANDLED & set(texts[:place]):
             return True

@@ -12,8 +12,13 @@ from dataclasses import dataclass
 
 GRADED_POWER = 1.0
 GRADED_FLOOR = 0.002
-FACTOR_POWER = 0.5
+FACTOR_POWER = 0.4
 FACTOR_FLOOR = 0.05
+FAMILIAR = 16  # texts of more words are unlike those that the factors were learned from
+PLAIN = 7  # with every word more than these, more may have been misunderstood as a whole
+DOUBT_PER_WORD = 0.012
+MOST_DOUBT = 0.15
+KIND_WORTH = 0.3  # of what the factors say of the kind of action, beside what the clauses' verbs say
 
 Objects = tuple[str, ...]
 
@@ -34,38 +39,45 @@ class Pooled:
 
 
 def pool(
-    factors: Mapping[tuple[str, Objects], float], graded: Sequence[tuple[tuple[str, Objects], float]]
+    factors: Mapping[tuple[str, Objects], float],
+    graded: Sequence[tuple[tuple[str, Objects], float]],
+    words: int = 0,
 ) -> tuple[Pooled, ...]:
     """Pool two beliefs over (action, ids).
 
     Args:
         factors: shares by the factors; what is missing to 1 is belief in nothing.
         graded: shares by the graded readings; they sum to 1, or are empty.
+        words: of the text; what the factors say of long ones counts less, as they multiply what may go wrong.
 
     Returns:
-        the options, the likeliest first; their probabilities sum to 1.
+        the options, the likeliest first; their probabilities sum to 1, less the doubt that a long text leaves.
     """
     names: dict[Objects, tuple[float, float]] = {}
     kinds: dict[Objects, dict[str, float]] = {}
-    for source, entries in enumerate((factors.items(), graded)):
+    for source, (entries, worth) in enumerate(((factors.items(), KIND_WORTH), (graded, 1.0))):
         for (kind, objects), share in entries:
             pair = list(names.get(objects, (0.0, 0.0)))
             pair[source] += share
             names[objects] = (pair[0], pair[1])
             of = kinds.setdefault(objects, {})
-            of[kind] = of.get(kind, 0.0) + share
+            of[kind] = of.get(kind, 0.0) + worth * share
     if not graded:
         weights = {objects: f for objects, (f, _) in names.items()}
     else:
+        power = FACTOR_POWER * min(1.0, FAMILIAR / max(words, 1)) ** 2
         weights = {
-            objects: (g + GRADED_FLOOR) ** GRADED_POWER * (f + FACTOR_FLOOR) ** FACTOR_POWER
+            objects: (g + GRADED_FLOOR) ** GRADED_POWER * (f + FACTOR_FLOOR) ** power
             for objects, (f, g) in names.items()
         }
     total = sum(weights.values())
     if total <= 0:
         return ()
+    sure = 1.0 - min(MOST_DOUBT, DOUBT_PER_WORD * max(0, words - PLAIN)) if graded else 1.0
     found = [
-        Pooled(objects, weight / total, tuple(sorted(kinds[objects].items(), key=lambda item: (-item[1], item[0]))))
+        Pooled(
+            objects, sure * weight / total, tuple(sorted(kinds[objects].items(), key=lambda item: (-item[1], item[0])))
+        )
         for objects, weight in weights.items()
     ]
     return tuple(sorted(found, key=lambda option: (-option.probability, option.objects)))

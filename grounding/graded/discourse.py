@@ -15,7 +15,7 @@ from grounding.world import Array
 
 HANDLING = {
     "pick": "pick pickup grab take lift get select choose grasp fetch hold collect bring raise want need touch scoop "
-            "reach retrieve obtain picking remove seize give pass hand lifts takes".split(),
+            "reach retrieve obtain picking seize give pass hand lifts takes".split(),
     "place": "put place set move stack lay drop position slide push shift moves slides shifts bring transfer relocate "
              "moved placed stacked put puts places sits goes joins jumps stacks becomes leaps hops drag pull travels "
              "creates forms falls drops returns needs mover relocates swaps switch offset joined go sit join "
@@ -34,6 +34,7 @@ _LOOKING = frozenset("look find locate see focus consider notice search narrow i
 _BEING = frozenset("is are 's was were be being re".split())
 _ORDERING = frozenset("should will must shall would needs ought".split())
 _MOVED = frozenset("moved placed put stacked set shifted relocated positioned".split())
+_WANTING = frozenset("want need reach like".split())
 _LOSING = frozenset("loses lose lost drops".split())
 _GAINING = frozenset("takes gains gets receives becomes grows adds acquires take gain become made formed".split())
 _BRINGING = frozenset("from using moving taking placing stacking putting adding by".split())
@@ -225,13 +226,24 @@ def _name(phrase: Phrase, reader: Reader, told: Told) -> None:
     _take(noun, reader, told)
 
 
+def _kind(verbs: list[str], clause: Phrase) -> str | None:
+    """What the verbs ask for; "move it away" asks to clear it, and wanting is no action where another verb is."""
+    found = {kind for kind, words in HANDLING.items() for verb in verbs if verb in words and verb not in _WANTING}
+    if found <= {"place"} and found and {"away", "aside"} & {leaf.text for leaf in clause.leaves[-2:]}:
+        return "clear"
+    for kind in ("place", "clear", "pick"):
+        if kind in found:
+            return kind
+    return "pick" if any(verb in _WANTING for verb in verbs) else None
+
+
 def _sentence(clause: Phrase, reader: Reader, told: Told) -> None:
     parts = _flat(clause)
     if not any(_verbal(word.text) for word in parts.words) and told.target is not None and not parts.subjects:
         _add(clause, reader, told)
         return
     verbs = [word.text for word in parts.words]
-    kind = next((k for k, words in HANDLING.items() for v in verbs if v in words), None)
+    kind = _kind(verbs, clause)
     looking = any(v in _LOOKING for v in verbs) or any(_existential(p) for p in parts.subjects)
     nouns = [read_noun(p) for p in parts.objects]
     nouns = [noun for noun in nouns if noun.head != "other" or noun.colors or noun.modifiers]
@@ -291,7 +303,7 @@ def _sentence(clause: Phrase, reader: Reader, told: Told) -> None:
     if kind is not None and nouns:
         told.kind = kind
         before = parts.before
-        if kind == "pick":
+        if kind in ("pick", "clear"):
             _take(_with(nouns[0], [*before, *parts.rest], reader), reader, told)
             for further in parts.objects[1:]:
                 _add(further, reader, told)
@@ -467,7 +479,9 @@ def _take(noun: Noun, reader: Reader, told: Told) -> None:
             )  # fmt: skip
         return
     reader.context = told.mentioned if told.mentioned is not None else told.target
-    value = reader.noun(noun)
+    value = (
+        reader.everything_in(noun) if told.kind == "clear" and noun.head in ("place", "table") else reader.noun(noun)
+    )
     if value.kind not in ("objects", "sets"):
         told.doubt += 1
         return

@@ -293,6 +293,10 @@ class _Reading:
             head = "agent"
         if head == "block" and isinstance(number, int) and number > 1:
             said["plural"] = True
+        if LAST in self.ordinals and len(self.ordinals) > 1:  # "second to last"
+            self.ordinals = [LAST * next(o for o in self.ordinals if o != LAST)]
+        if head == "block" and said.get("universal"):
+            said["plural"] = True
         kinds = self.kinds
         if head == "block" and (said.get("plural") and self.stacked or (said.get("size") and not self.stacked)):
             head, kinds = "container", ("tower",)

@@ -80,6 +80,16 @@ class Reader:
         """The weights of a noun."""
         return self.noun(noun).weights
 
+    def everything_in(self, noun: Noun) -> Value:
+        """All that lies on the table or on a side of it: what "clear the left side" means."""
+        scene = self.scene
+        value = self.noun(noun)
+        inside = np.ones(scene.n, dtype=bool)
+        for direction in value.place.directions if value.place is not None else ():
+            inside &= scene.scaled @ direction > 0
+        weights = inside.astype(float)
+        return Value("sets", weights, ((inside, 1.0),)) if inside.any() else Value("nothing", weights)
+
     def within(self, noun: Noun, pool: Array) -> Array:
         """What a noun means among objects that were spoken of, weights (n,)."""
         inside = np.where(pool > 0.3 * max(float(pool.max(initial=0)), 1e-9), 1.0, FLOOR * FLOOR)
@@ -154,7 +164,9 @@ class Reader:
         """Restrictors before selectors."""
         scene = self.scene
         weights = base.copy()
-        in_stack = any(isinstance(e, Membership) and any((m & scene.stacked).all() for m, _ in e.sets) for e in effects)
+        in_stack = any(
+            isinstance(e, Membership) and any((m.any() and scene.stacked[m].all()) for m, _ in e.sets) for e in effects
+        )
         memberships: list[Membership] = []
         ranks: list[Rank] = []
         preference = np.ones(scene.n)
@@ -475,6 +487,8 @@ class Reader:
             and "part" in noun.text.split()
         ):
             return of
+        if of is not None and of.place is not None and of.kind == "place":  # "the middle of the left edge"
+            names += [name for name in of.place.names if name not in names]
         place = self._make_place(names, owner, noun.middle, noun.place == "corner", bare)
         if of is not None and of.kind in ("sets", "objects") and of.weights.any():
             return self._part(place, of, noun)
@@ -705,6 +719,8 @@ class Reader:
                     return [self._along(of, toward, agent or self.view, strict)]
             if names and not agent:
                 noun = replace(noun, directions=(*noun.directions, *names))
+        if child is not None and texts[-1:] == ["with"] and noun.head in ("block", "container"):
+            return self._has(child, base)
         value = self.noun(noun)
         if noun.head == "place" and noun.middle and not noun.directions and value.kind == "objects":
             return [Restriction(np.maximum(value.weights, self._amid(self._owner_of(noun))))]
@@ -826,7 +842,7 @@ class Reader:
         scene = self.scene
         if ("up" in names or "down" in names) and scene.towers:
             vertical = self._vertical(value, 1.0 if "up" in names else -1.0)
-            if vertical.max(initial=0.0) > 0.5:
+            if vertical.max(initial=0.0) > 0.3:
                 return vertical
         flat = list(dict.fromkeys(_HORIZONTAL.get(name, name) for name in names))
         vectors = [scene.direction(name, owner) for name in flat]
@@ -867,7 +883,11 @@ class Reader:
         return total
 
     def _vertical(self, value: Value, sign: float) -> Array:
+        """On top of a reference, or under it: the reference of what is on it carries something."""
         scene = self.scene
+        if value.kind == "objects":
+            undone = value.weights / np.where(scene.clear, np.where(scene.stacked, STACKED, 1.0), BURIED)
+            value = replace(value, weights=undone)
         over = scene.apart < 0.5 * scene.edge
         step = sign * (scene.z[:, None] - scene.z[None]) / scene.edge
         return self._pairwise(value, np.where(over & (step > 0.5), np.exp(-0.3 * np.maximum(step - 1, 0)), 0.0))

@@ -165,8 +165,8 @@ def collected(scene: Scene, weights: np.ndarray, number: int | None, universal: 
         order = np.argsort(-weights, kind="stable")[:number]
         mask = np.zeros(scene.n, dtype=bool)
         mask[order] = True
-        margin = float(weights[order[-1]] - np.sort(weights)[::-1][number])
-        found.append((mask, max(0.02, margin)))
+        chosen, following = float(weights[order].mean()), float(np.sort(weights)[::-1][number])
+        found.append((mask, max(0.15 * chosen, chosen - following)))
     else:
         found.append((likely, 0.1))
     return sorted(found, key=lambda item: -item[1])[:_MOST]

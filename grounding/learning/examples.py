@@ -19,7 +19,7 @@ from grounding.features.context import context_facts
 from grounding.features.discretiser import strictness
 from grounding.features.exhaustive import every
 from grounding.geometry.layout import Layout
-from grounding.inference.engine import Children, context_key
+from grounding.inference.engine import context_key
 from grounding.language.tree import Phrase
 from grounding.symbols import Symbol
 
