@@ -10,7 +10,7 @@ import numpy as np
 from grounding.graded import words
 from grounding.graded.destinations import Spot, agreed, find_spot
 from grounding.graded.discourse import Told, read_text
-from grounding.graded.reader import VIEWS, Reader
+from grounding.graded.reader import Reader
 from grounding.graded.scene import ROBOT, SPEAKER, Scene
 from grounding.language.parser import Parse
 from grounding.language.tree import Phrase
@@ -130,7 +130,7 @@ def _views(tree: Phrase, scene: Scene) -> dict[str, float]:
         return {ROBOT: 1.0}
     texts = [leaf.text for leaf in tree.leaves]
     for place, text in enumerate(texts):
-        if text in VIEWS:
+        if text in words.VIEWS:
             before = texts[max(0, place - 3) : place]
             if "your" in before:
                 return {ROBOT: 1.0}

@@ -15,6 +15,10 @@ from grounding.world import ROBOT_VIEWPOINT, Array, Viewpoint
 ROBOT, SPEAKER = "robot", "speaker"
 SPREAD = 0.5
 """Blocks that take up so much of the table in both directions are placed by the table's edges, others by their own."""
+BURIED = 0.1
+"""What carries something is less likely spoken of."""
+STACKED = 0.35
+"""Who means the top of a stack mostly says so."""
 VERTICAL = {"up": 1.0, "down": -1.0}
 
 
@@ -110,6 +114,11 @@ class Scene:
             top = max(self.z[i] for i in tower)
             mask[[i for i in tower if self.z[i] < top - 0.3 * self.edge]] = False
         return mask
+
+    @lazy
+    def salience(self) -> Array:
+        """How readily every object is spoken of where the words name no stack, shape (n,)."""
+        return np.where(self.clear, np.where(self.stacked, STACKED, 1.0), BURIED)
 
     def arrangements(self, mask: np.ndarray) -> tuple[Arrangement, ...]:
         """Arrangements among some objects only, their masks over all objects."""

@@ -8,11 +8,23 @@ from grounding.world import Array
 
 DECAY = 2.5
 """A direction fades over gaps of so many edges: what is meant is usually the next one."""
+FLOOR = 0.02
+"""A restriction that does not hold leaves so much: words and eyes err."""
 
 
 def logistic(values: Array) -> Array:
     """1 / (1 + exp(-x)), without overflow."""
     return np.asarray(0.5 * (1.0 + np.tanh(0.5 * values)))
+
+
+def softened(held: Array) -> Array:
+    """A restriction that leaves `FLOOR` where it does not hold."""
+    return np.asarray(FLOOR + (1 - FLOOR) * held)
+
+
+def peak(weights: Array) -> float:
+    """The largest weight, kept from zero so that it can be divided by."""
+    return max(float(weights.max(initial=0.0)), 1e-9)
 
 
 def ranked(weights: Array, key: Array, index: int, noise: float) -> Array:

@@ -8,6 +8,9 @@ import numpy as np
 
 from grounding.world import Array
 
+SETS = 5
+"""Of the sets that a phrase may mean, so many are tried."""
+
 
 @dataclass(frozen=True, eq=False)
 class Place:

@@ -7,6 +7,7 @@ though no symbol stands for it (corners, compass points, "alone").
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable
 from functools import lru_cache
 
 _SIDES = {
@@ -19,6 +20,9 @@ _SIDES = {
 }
 _COMPASS = {"north": "back", "south": "front", "east": "right", "west": "left"}
 COMPASS_WORDS = frozenset(_COMPASS)
+VIEWS = frozenset("perspective view viewpoint standpoint vantage position point".split())
+OPPOSITE = {"left": "right", "right": "left", "front": "back", "back": "front", "up": "down", "down": "up"}
+_HORIZONTAL = {"up": "back", "down": "front"}
 _ABBREVIATED = {"ne": "northeast", "nw": "northwest", "se": "southeast", "sw": "southwest"}
 _POINT = re.compile(r"(north|south)-?(east|west)(?:ern)?(?:-?most|ward|wards|erly)?")
 _MOST = re.compile(r"(.+?)(?:ern)?-?most|(.+?)-hand")
@@ -94,6 +98,11 @@ def directions(word: str) -> tuple[str, ...]:
     match = _MOST.fullmatch(word)
     stem = (match.group(1) or match.group(2)) if match else None
     return directions(stem) if stem and stem != word else ()
+
+
+def flat(names: Iterable[str]) -> tuple[str, ...]:
+    """Directions on the table, each once: what is not stacked lies "above" where it is further away."""
+    return tuple(dict.fromkeys(_HORIZONTAL.get(name, name) for name in names))
 
 
 @lru_cache(maxsize=4096)

@@ -1,0 +1,24 @@
+"""Which objects have a colour that was said; where none has, a colour that people call by that name."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from grounding.graded.scene import Scene
+from grounding.world import Array
+
+_ALIASES = {
+    "blue": ("purple",), "purple": ("blue",), "orange": ("red", "brown"), "red": ("orange", "pink"),
+    "yellow": ("orange",), "gray": ("white", "black"), "brown": ("orange",), "pink": ("red", "purple"),
+}  # fmt: skip
+
+
+def colored(scene: Scene, colors: tuple[str, ...]) -> Array:
+    """One for every object of one of some colours, else zero, shape (n,); all are one where no colour was said."""
+    if not colors:
+        return np.ones(scene.n)
+    wanted = set(colors)
+    if not wanted & scene.layout.colors:
+        wanted |= {alias for color in colors for alias in _ALIASES.get(color, ())}
+    has = np.array([item.color in wanted or item.color == "unknown" for item in scene.layout.things])
+    return np.where(has, 1.0, 0.0)

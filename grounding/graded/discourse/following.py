@@ -1,0 +1,63 @@
+"""A text followed clause by clause."""
+
+from __future__ import annotations
+
+from grounding.graded.discourse.clauses import clauses_of
+from grounding.graded.discourse.sentences import read_sentence
+from grounding.graded.discourse.told import Told, add, is_informative, name, take
+from grounding.graded.discourse.verbs import HANDLING, SETTING_OFF
+from grounding.graded.nouns import read_noun
+from grounding.graded.reader import Reader
+from grounding.language.tree import Phrase
+
+
+def read_text(tree: Phrase, reader: Reader) -> Told:
+    """Follow a text clause by clause."""
+    told = Told()
+    clauses = clauses_of(tree)
+    for place, clause in enumerate(clauses):
+        told.continued = any(_resumes(further) for further in clauses[place + 1 :])
+        _follow(clause, reader, told)
+    if told.target is None and told.mentioned is not None:
+        told.target = told.mentioned
+    if told.target is None:
+        _guess(tree, reader, told)
+    told.whole = tree
+    reader.context = told.mentioned
+    if told.kind == "pick" and not told.destination and _only_moves(tree):
+        told.kind = "place"
+    return told
+
+
+def _follow(clause: Phrase, reader: Reader, told: Told) -> None:
+    if clause.tag == "NP":
+        name(clause, reader, told)
+    elif clause.tag in ("VP", "S"):
+        read_sentence(clause, reader, told)
+    else:
+        add(clause, reader, told)
+
+
+def _resumes(clause: Phrase) -> bool:
+    """Whether a clause says what shall be done with "it"."""
+    words = [leaf.text for leaf in clause.leaves]
+    verb = any(text in HANDLING["place"] for text in words)
+    return verb and any(text in ("it", "that", "them", "one") for text in words[:6])
+
+
+def _only_moves(tree: Phrase) -> bool:
+    """Whether a text that was not understood clause by clause speaks of moving something, and not of picking it."""
+    texts = {leaf.text for leaf in tree.leaves}
+    moving = any(leaf.text in SETTING_OFF and leaf.tag in ("VB", "VBZ", "VBP", "VBG") for leaf in tree.leaves)
+    return moving and not texts & set(HANDLING["pick"])
+
+
+def _guess(tree: Phrase, reader: Reader, told: Told) -> None:
+    """Where no clause named anything: the first noun phrase that could."""
+    for phrase in tree.preorder():
+        if phrase.tag == "NP":
+            noun = read_noun(phrase)
+            if noun.head == "block" and is_informative(noun) and not noun.strange:
+                take(noun, reader, told)
+                if told.target is not None:
+                    return

@@ -1,0 +1,273 @@
+"""What a clause with a verb tells: commands, statements, what is looked at, and what is said of "it" afterwards.
+
+A sentence is heard by readings in their order. Each says whether it is of its kind, and if so, what it tells.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from grounding.graded.destinations.items import peeled
+from grounding.graded.discourse.giving import gained, given
+from grounding.graded.discourse.parts import Parts, is_existential, parts_of
+from grounding.graded.discourse.told import Told, add, deny, is_informative, mention, state, take, with_further
+from grounding.graded.discourse.verbs import BEING, LOOKING, MOVED, ORDERING, is_verbal, kind_of
+from grounding.graded.nouns import Noun, read_noun
+from grounding.graded.reader import Reader
+from grounding.language.tree import Phrase
+
+_BODY = frozenset("hand hands arm arms gripper fingers claw".split())
+_NOT = frozenset(("not", "n't"))
+_LEADING = frozenset("to onto into toward towards over so until up down".split())
+
+
+@dataclass(frozen=True)
+class Sentence:
+    """A clause, taken apart and read.
+
+    Attributes:
+        parts: its parts.
+        verbs: its words, the verbs among them.
+        kind: of action that they ask for, or None.
+        looking: whether it only tells where to look.
+        named: its subjects, "there" left out.
+        subjects: those of them that can be handled, or stand for it.
+        nouns: its objects, those left out that say nothing.
+    """
+
+    parts: Parts
+    verbs: list[str]
+    kind: str | None
+    looking: bool
+    named: list[Noun]
+    subjects: list[Noun]
+    nouns: list[Noun]
+
+    def has(self, words: frozenset[str]) -> bool:
+        """Whether one of some words is among its own."""
+        return any(verb in words for verb in self.verbs)
+
+    @property
+    def fresh(self) -> bool:
+        """Whether its subject names something rather than pointing back."""
+        return bool(self.subjects) and self.subjects[0].head != "pronoun"
+
+
+def read_sentence(clause: Phrase, reader: Reader, told: Told) -> None:
+    """Hear what a clause tells."""
+    sentence = _read(clause)
+    parts = sentence.parts
+    if not any(is_verbal(text) for text in sentence.verbs) and told.target is not None and not parts.subjects:
+        add(clause, reader, told)
+        return
+    for reading in _READINGS:
+        if reading(sentence, reader, told):
+            return
+    _only_names(sentence, reader, told)
+
+
+def _read(clause: Phrase) -> Sentence:
+    parts = parts_of(clause)
+    verbs = [word.text for word in parts.words]
+    looking = any(verb in LOOKING for verb in verbs) or any(is_existential(p) for p in parts.subjects)
+    named = [read_noun(phrase) for phrase in parts.named]
+    subjects = [noun for noun in named if noun.head in ("block", "pronoun", "container")]
+    nouns = [read_noun(phrase) for phrase in parts.objects]
+    nouns = [noun for noun in nouns if noun.head != "other" or noun.colors or noun.modifiers]
+    return Sentence(parts, verbs, kind_of(verbs, clause), looking, named, subjects, nouns)
+
+
+def _moves_the_hand(sentence: Sentence, reader: Reader, told: Told) -> bool:
+    """For example "move your arm": nothing is told of objects."""
+    nouns = sentence.nouns
+    return bool(nouns) and nouns[0].head in ("other", "place", "agent") and bool(_BODY & set(nouns[0].text.split()))
+
+
+def _gives_or_gets(sentence: Sentence, reader: Reader, told: Told) -> bool:
+    """For example "the tower loses its top block"."""
+    giver = given(sentence.verbs, sentence.parts, sentence.named)
+    if giver is None:
+        return False
+    take(giver, reader, told)
+    told.kind = "place"
+    told.destination += gained(sentence.verbs, sentence.parts)
+    return True
+
+
+def _looks_at_subject(sentence: Sentence, reader: Reader, told: Told) -> bool:
+    """For example "a red block is there"."""
+    named = [noun for noun in sentence.subjects if noun.head in ("block", "container") and is_informative(noun)]
+    if not (sentence.looking and named and all(noun.head == "pronoun" for noun in sentence.nouns)):
+        return False
+    mention(with_further(named[0], *sentence.parts.before), reader, told)
+    return True
+
+
+def _looks_for(sentence: Sentence, reader: Reader, told: Told) -> bool:
+    """For example "look for the tower"."""
+    if not sentence.looking or sentence.nouns:
+        return False
+    rest = sentence.parts.rest
+    sought = [child for part in rest for child in part.phrases if child.tag == "NP"]
+    if not (sought and rest[0].words and rest[0].words[-1].text in ("for", "at", "to")):
+        return False
+    mention(read_noun(sought[0]), reader, told)
+    return True
+
+
+def _looks_at_object(sentence: Sentence, reader: Reader, told: Told) -> bool:
+    """For example "there is a tower on the left"."""
+    nouns, parts = sentence.nouns, sentence.parts
+    if not (sentence.looking and nouns) or (sentence.kind and not sentence.subjects and len(nouns) > 1):
+        return False
+    mention(with_further(nouns[0], *parts.before, *parts.rest), reader, told)
+    return True
+
+
+def _says_where_it_goes(sentence: Sentence, reader: Reader, told: Told) -> bool:
+    """For example "it should be left of X", "its left side touches X"."""
+    if told.kind != "place" or told.target is None or not told.destination:
+        return False
+    if not (sentence.named and _is_same_thing(sentence.named[0])):
+        return False
+    parts = sentence.parts
+    told.destination += [*parts.owned, parts.said, *parts.objects, *parts.rest]
+    return True
+
+
+def _orders(sentence: Sentence, reader: Reader, told: Told) -> bool:
+    """For example "the red block should be on the tower", "the red block is moved to the left"."""
+    if not sentence.fresh or told.target is not None:
+        return False
+    if not (sentence.has(ORDERING) or (sentence.has(BEING) and sentence.has(MOVED))):
+        return False
+    _move_subject(sentence, reader, told)
+    return True
+
+
+def _denies(sentence: Sentence, reader: Reader, told: Told) -> bool:
+    """For example "it is not the red one"."""
+    if not (sentence.subjects and sentence.has(BEING) and sentence.has(_NOT)):
+        return False
+    deny(sentence.subjects[0], sentence.nouns, sentence.parts.rest, reader, told)
+    return True
+
+
+def _states(sentence: Sentence, reader: Reader, told: Told) -> bool:
+    """For example "it is the red one"."""
+    if not (sentence.subjects and sentence.has(BEING)):
+        return False
+    state(sentence.subjects[0], sentence.nouns, sentence.parts.rest, reader, told)
+    return True
+
+
+def _moves_by_itself(sentence: Sentence, reader: Reader, told: Told) -> bool:
+    """For example "the red block moves to the left"; what it moves, if anything, is no certain block."""
+    nouns = sentence.nouns
+    if sentence.kind != "place" or not sentence.subjects:
+        return False
+    if nouns and nouns[0].head == "block" and nouns[0].definite:
+        return False
+    _move_subject(sentence, reader, told)
+    return True
+
+
+def _move_subject(sentence: Sentence, reader: Reader, told: Told) -> None:
+    parts = sentence.parts
+    take(with_further(sentence.subjects[0], *parts.before), reader, told)
+    told.kind = "place"
+    told.destination += [parts.said, *parts.objects, *parts.rest]
+
+
+def _picks(sentence: Sentence, reader: Reader, told: Told) -> bool:
+    """For example "pick up the red block on the left", "remove the tower"."""
+    if sentence.kind not in ("pick", "clear") or not sentence.nouns:
+        return False
+    parts = sentence.parts
+    told.kind = sentence.kind
+    take(with_further(sentence.nouns[0], *parts.before, *parts.rest), reader, told)
+    for further in parts.objects[1:]:
+        add(further, reader, told)
+    return True
+
+
+def _places(sentence: Sentence, reader: Reader, told: Told) -> bool:
+    """For example "put the block on the left onto the tower"."""
+    if sentence.kind != "place" or not sentence.nouns:
+        return False
+    parts = sentence.parts
+    told.kind = sentence.kind
+    noun, rest = _shared_out(with_further(sentence.nouns[0], *parts.before), list(parts.rest), told)
+    noun, courses = peeled(noun)
+    take(noun, reader, told)
+    told.destination += [parts.said, *courses, *parts.objects[1:], *rest]
+    return True
+
+
+def _shared_out(noun: Noun, rest: list[Phrase], told: Told) -> tuple[Noun, list[Phrase]]:
+    """The adjuncts of a command that say which object is meant go to its noun; the others say where to."""
+    if len(rest) > 1 and rest[0].tag == "PP" and noun.head == "block" and not is_informative(noun):
+        noun = with_further(noun, rest.pop(0))
+    fresh = noun.head != "pronoun"
+    if fresh and len(rest) > 1 and rest[0].tag == "PP" and not _leads(rest[0]) and _results(rest[-1]):
+        noun = with_further(noun, rest.pop(0))
+    while told.continued and rest and rest[0].tag in ("PP", "SBAR"):
+        if is_informative(noun) and _leads(rest[0]):
+            break
+        noun = with_further(noun, rest.pop(0))
+    return noun, rest
+
+
+def _goes_on(sentence: Sentence, reader: Reader, told: Told) -> bool:
+    """For example "and move to the left": of what was named before."""
+    if sentence.kind != "place" or sentence.subjects or told.target is None:
+        return False
+    told.kind = sentence.kind
+    told.destination += [sentence.parts.said, *sentence.parts.rest]
+    return True
+
+
+def _only_names(sentence: Sentence, reader: Reader, told: Told) -> None:
+    """What no other reading is of: it names something, or says more of what was named."""
+    parts = sentence.parts
+    for nouns in (sentence.nouns, sentence.subjects):
+        if nouns:
+            take(with_further(nouns[0], *parts.before, *parts.rest), reader, told)
+            return
+    for part in parts.rest:
+        add(part, reader, told)
+
+
+_READINGS: tuple[Callable[[Sentence, Reader, Told], bool], ...] = (
+    _moves_the_hand,
+    _gives_or_gets,
+    _looks_at_subject,
+    _looks_for,
+    _looks_at_object,
+    _says_where_it_goes,
+    _orders,
+    _denies,
+    _states,
+    _moves_by_itself,
+    _picks,
+    _places,
+    _goes_on,
+)
+
+
+def _is_same_thing(noun: Noun) -> bool:
+    """Whether a subject is what was just spoken of, or a side of it: "it", "its left side"."""
+    texts = noun.text.split()
+    return (noun.head == "pronoun" and not noun.modifiers) or (noun.head == "place" and texts[:1] == ["its"])
+
+
+def _results(phrase: Phrase) -> bool:
+    """Whether a phrase tells what shall be the case afterwards: "so that it is ..."."""
+    return phrase.tag == "SBAR" and any(leaf.text in ("so", "until") for leaf in phrase.leaves[:2])
+
+
+def _leads(phrase: Phrase) -> bool:
+    """Whether a phrase tells where to go: "to the right", "down two"."""
+    first = phrase.leaves[0].text
+    return first in _LEADING or first.isdigit()

@@ -1,0 +1,127 @@
+"""Readings of a modifier by what it relates to: people, places, sets and objects.
+
+Each tells what the modifier does, or None where it is not of its kind; the first that does is taken.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from grounding.graded import words as w
+from grounding.graded.modifiers.heard import Heard
+from grounding.graded.nouns import Noun
+from grounding.graded.people import before, distance_from
+from grounding.graded.place_phrases import whole_of
+from grounding.graded.places import located
+from grounding.graded.relations import along, distance_to, measured, near, vertical
+from grounding.graded.scene import ROBOT
+from grounding.graded.surroundings import amid
+from grounding.graded.values import Effect, Membership, Rank, Restriction, Value
+
+if TYPE_CHECKING:
+    from grounding.graded.reader import Reader
+
+    ReferenceReading = Callable[[Reader, Heard, Noun, Value], list[Effect] | None]
+
+_APART = frozenset("separated apart isolated detached separate".split())
+_THINGS = ("objects", "sets")
+
+
+def _middle_of(reader: Reader, heard: Heard, noun: Noun, value: Value) -> list[Effect] | None:
+    """In the middle of several: the middle one of them, or what lies between them."""
+    if noun.head != "place" or not noun.middle or noun.directions or value.kind != "objects":
+        return None
+    whole = whole_of(reader, noun)
+    return [Restriction(value.weights if whole is None else np.maximum(value.weights, amid(reader.scene, whole)))]
+
+
+def _apart(reader: Reader, heard: Heard, noun: Noun, value: Value) -> list[Effect] | None:
+    """For example "separated from the others"."""
+    if not _APART & set(heard.texts) or value.kind not in _THINGS or not value.weights.any():
+        return None
+    scene = reader.scene
+    return [Restriction(1.0 - near(scene, value, 1.0)), Rank(distance_to(scene, value), None, scene.edge)]
+
+
+def _by_somebody(reader: Reader, heard: Heard, noun: Noun, value: Value) -> list[Effect] | None:
+    """For example "in front of you", "near me"."""
+    if value.kind != "agent":
+        return None
+    scene, agent = reader.scene, value.agent or ROBOT
+    names = heard.directions()
+    if names:
+        return [before(scene, agent, names)]
+    return [Rank(-distance_from(scene, agent), heard.ordinal, scene.edge)] if heard.said.distance else []
+
+
+def _toward(reader: Reader, heard: Heard, noun: Noun, value: Value) -> list[Effect] | None:
+    """For example "behind the tower", "two blocks left of the tower"."""
+    names = heard.directions()
+    if not names:
+        return None
+    if heard.measure is not None and value.kind in (*_THINGS, "place"):
+        return [Restriction(measured(reader.scene, value, names, reader.view, heard.measure))]
+    if value.kind in _THINGS:
+        return [along(reader.scene, value, names, reader.view, heard.strict)]
+    return None
+
+
+def _touching(reader: Reader, heard: Heard, noun: Noun, value: Value) -> list[Effect] | None:
+    """For example "touching the tower"."""
+    if value.kind not in _THINGS or not any(w.is_touching(text) for text in heard.texts):
+        return None
+    return [Restriction(near(reader.scene, value, 0.22))]
+
+
+def _beside(reader: Reader, heard: Heard, noun: Noun, value: Value) -> list[Effect] | None:
+    """For example "next to the tower"."""
+    if value.kind not in _THINGS or not any(w.is_beside(text) for text in heard.texts):
+        return None
+    return [Restriction(near(reader.scene, value, 0.8))]
+
+
+def _in_place(reader: Reader, heard: Heard, noun: Noun, value: Value) -> list[Effect] | None:
+    """For example "on the left side"; "at the end of the row" means objects already."""
+    if value.kind == "place":
+        return located(reader.scene, value, heard.base)
+    if value.kind == "objects" and value.place is not None:
+        return [Restriction(value.weights)]
+    return None
+
+
+def _in_set(reader: Reader, heard: Heard, noun: Noun, value: Value) -> list[Effect] | None:
+    """For example "in the row"."""
+    if value.kind != "sets":
+        return None
+    return [Membership(value.sets, value.kinds)] if value.sets else []
+
+
+def _on(reader: Reader, heard: Heard, noun: Noun, value: Value) -> list[Effect] | None:
+    """For example "on the red block"."""
+    if value.kind != "objects" or heard.last not in ("on", "onto", "atop", "upon"):
+        return None
+    return [Restriction(vertical(reader.scene, value, 1.0))]
+
+
+def _among(reader: Reader, heard: Heard, noun: Noun, value: Value) -> list[Effect] | None:
+    """For example "of the red one"."""
+    if value.kind != "objects" or heard.last not in ("of", "from", "in", "among"):
+        return None
+    return [Membership(((value.weights > 0.3 * value.weights.max(initial=1e-9), 1.0),))]
+
+
+BY_REFERENCE: tuple[ReferenceReading, ...] = (
+    _middle_of,
+    _apart,
+    _by_somebody,
+    _toward,
+    _touching,
+    _beside,
+    _in_place,
+    _in_set,
+    _on,
+    _among,
+)

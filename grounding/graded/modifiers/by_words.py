@@ -1,0 +1,126 @@
+"""Readings of a modifier by its own words, before what it relates to is looked for.
+
+Each tells what the modifier does, or None where it is not of its kind; the first that does is taken.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+from grounding.graded import words as w
+from grounding.graded.modifiers.having import having
+from grounding.graded.modifiers.heard import Heard
+from grounding.graded.modifiers.ranks import by_distance, counted_from, is_plain
+from grounding.graded.nouns import Noun
+from grounding.graded.people import before, distance_from
+from grounding.graded.place_phrases import whole_of
+from grounding.graded.places import closeness, in_place, located, make_place
+from grounding.graded.relations import along, measured
+from grounding.graded.scene import ROBOT
+from grounding.graded.surroundings import amid, surrounded
+from grounding.graded.values import Effect, Place, Rank, Restriction, Value
+
+if TYPE_CHECKING:
+    from grounding.graded.reader import Reader
+
+    WordReading = Callable[[Reader, Heard, Noun], list[Effect] | None]
+
+
+def by_itself(reader: Reader, heard: Heard) -> list[Effect]:
+    """A modifier without a noun phrase: "farthest away", "above", "third"."""
+    scene, said = reader.scene, heard.said
+    if said.distance and any(w.is_ranking(text) for text in heard.texts):
+        sign = 1.0 if said.distance == "near" else -1.0
+        return [Rank(-sign * distance_from(scene, said.agent or ROBOT), heard.ordinal, 0.3 * scene.edge)]
+    if said.directions:
+        place = make_place(scene, said.directions, said.agent or reader.view, middle=said.middle, bare=True)
+        return located(scene, Value("place", heard.base, place=place), heard.base)
+    if said.middle:
+        return [Restriction(in_place(scene, Place(middle=True), heard.base))]
+    return []
+
+
+def _ranking(reader: Reader, heard: Heard, noun: Noun) -> list[Effect] | None:
+    """For example "closest to the tower"."""
+    ranking = [text for text in heard.texts if w.is_ranking(text)]
+    if not ranking:
+        return None
+    return by_distance(reader, noun, w.distance(ranking[-1]) or "near", heard.ordinal, away="from" in heard.texts)
+
+
+def _between(reader: Reader, heard: Heard, noun: Noun) -> list[Effect] | None:
+    """For example "between the towers"."""
+    if not any(w.is_between(text) for text in heard.texts):
+        return None
+    return [Restriction(amid(reader.scene, reader.noun(noun)))]
+
+
+def _surrounded(reader: Reader, heard: Heard, noun: Noun) -> list[Effect] | None:
+    """For example "surrounded by red blocks"."""
+    if not any(w.is_surrounded(text) for text in heard.texts):
+        return None
+    return [Restriction(surrounded(reader.scene, reader.noun(noun)))]
+
+
+def _counted(reader: Reader, heard: Heard, noun: Noun) -> list[Effect] | None:
+    """For example "third from the left", "from the bottom"."""
+    start = noun.head in ("place", "agent") or (noun.directions and is_plain(noun))
+    if heard.ordinal is not None or (heard.last == "from" and start and not heard.said.distance):
+        return counted_from(reader, noun, heard.ordinal) or None
+    return None
+
+
+def _far_from(reader: Reader, heard: Heard, noun: Noun) -> list[Effect] | None:
+    """For example "far from the tower"."""
+    if heard.said.distance != "far" or heard.last != "from":
+        return None
+    return by_distance(reader, noun, "far", heard.ordinal, away=True)
+
+
+def _all_the_way(reader: Reader, heard: Heard, noun: Noun) -> list[Effect] | None:
+    """For example "all the way to the left", "far on the right"."""
+    if "way" not in heard.texts and not (heard.said.distance == "far" and noun.head == "place"):
+        return None
+    value = reader.noun(noun)
+    if value.place is None or value.kind != "place":
+        return None
+    return [Rank(closeness(reader.scene, value.place), heard.ordinal, 0.3 * reader.scene.edge)]
+
+
+def _side_of(reader: Reader, heard: Heard, noun: Noun) -> list[Effect] | None:
+    """For example "to the left of X": a direction from X and not a place on the table, nor a part of a set."""
+    if noun.head != "place" or noun.place is not None or noun.middle:
+        return None
+    scene = reader.scene
+    whole = whole_of(reader, noun)
+    if whole is None or whole.kind not in ("agent", "objects", "sets"):
+        return None
+    if whole.kind == "agent":
+        return [before(scene, whole.agent or ROBOT, noun.directions)]
+    inside = heard.texts[:1] in (["in"], ["at"], ["from"], ["of"]) and "front" not in noun.directions
+    if whole.kind == "sets" and inside:
+        return None
+    toward = (*heard.further, *noun.directions)
+    if heard.measure is not None:
+        return [Restriction(measured(scene, whole, toward, reader.view, heard.measure))]
+    return [along(scene, whole, toward, noun.agent or reader.view, heard.strict)]
+
+
+def _having(reader: Reader, heard: Heard, noun: Noun) -> list[Effect] | None:
+    """For example "with a red block to its left"."""
+    if heard.child is None or heard.last != "with" or noun.head not in ("block", "container"):
+        return None
+    return having(reader, heard.child)
+
+
+BY_WORDS: tuple[WordReading, ...] = (
+    _ranking,
+    _between,
+    _surrounded,
+    _counted,
+    _far_from,
+    _all_the_way,
+    _side_of,
+    _having,
+)

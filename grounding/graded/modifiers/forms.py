@@ -1,0 +1,131 @@
+"""What a modifier does by its form: a clause, a negation, directions that are joined, a predicate, or one relation."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from grounding.graded import scores
+from grounding.graded import words as w
+from grounding.graded.colors import colored
+from grounding.graded.modifiers.having import having
+from grounding.graded.modifiers.relating import relate
+from grounding.graded.nouns import read_noun
+from grounding.graded.place_phrases import read_place, whole_of
+from grounding.graded.places import located
+from grounding.graded.values import SETS, Effect, Membership, Restriction
+from grounding.language.lexicon import meanings
+from grounding.language.tree import Phrase
+from grounding.symbols import Ordinal
+from grounding.world import Array
+
+if TYPE_CHECKING:
+    from grounding.graded.reader import Reader
+
+_CLAUSES = ("SBAR", "S", "VP")
+_ADVERBIAL = ("PP", "ADVP", "ADJP", "PRT")
+_NEGATING = frozenset("not n't isn't without except".split())
+_HAVING = frozenset("has have having".split())
+_RELATING = frozenset("not behind facing".split())
+_WORDS_OF_A_VIEW = 6  # a longer phrase that has a word like "side" or "point" tells more than a viewpoint
+
+
+def read_effects(reader: Reader, phrase: Phrase, base: Array) -> list[Effect]:
+    """What a modifier does to the objects of the noun that it follows.
+
+    Args:
+        reader: that reads the noun phrases within.
+        phrase: the modifier.
+        base: how well every object agrees with the noun, shape (n,).
+    """
+    if phrase.tag in ("WHNP", "INTJ") or _takes_view(phrase):
+        return []
+    if phrase.tag == "NP":
+        return _predicate(reader, phrase, base)
+    own = [word.text for word in phrase.words]
+    if phrase.tag in _CLAUSES and not any(_relates(text) for text in own):
+        return _clause(reader, phrase, base, possessive=not _HAVING.isdisjoint(own))
+    if not _NEGATING.isdisjoint(own):
+        return _negated(reader, phrase, base)
+    if len(phrase.phrases) > 1 and all(child.tag in _ADVERBIAL for child in phrase.phrases):
+        return _joined(reader, phrase.phrases, base)
+    return relate(reader, phrase, base)
+
+
+def _takes_view(phrase: Phrase) -> bool:
+    """Whether a modifier only names a viewpoint: "from your perspective"."""
+    return (
+        phrase.tag == "PP"
+        and any(leaf.text in w.VIEWS for leaf in phrase.leaves)
+        and len(phrase.leaves) <= _WORDS_OF_A_VIEW
+    )
+
+
+def _relates(text: str) -> bool:
+    """Whether a word names a relation itself, so that its phrase is not merely a frame around others."""
+    return bool(
+        w.is_touching(text) or w.is_between(text) or w.is_surrounded(text) or w.directions(text) or w.distance(text)
+        or w.is_beside(text) or any(isinstance(s, Ordinal) for s in meanings(text))
+        or text in _RELATING
+    )  # fmt: skip
+
+
+def _clause(reader: Reader, phrase: Phrase, base: Array, *, possessive: bool) -> list[Effect]:
+    """What the parts of a clause do, its subject left out: "that is next to X", "which has X behind it"."""
+    found: list[Effect] = []
+    verb = phrase.tag == "VP"
+    for child in phrase.phrases:
+        if child.tag == "NP" and not verb and read_noun(child).head in ("pronoun", "other", "agent"):
+            continue
+        if child.tag == "NP" and verb and possessive:
+            found += having(reader, child)
+            continue
+        found += reader.effects(child, base)
+    return found
+
+
+def _negated(reader: Reader, phrase: Phrase, base: Array) -> list[Effect]:
+    found: list[Effect] = []
+    for child in phrase.phrases:
+        for effect in reader.effects(child, base):
+            if isinstance(effect, Restriction):
+                found.append(Restriction(1.0 - effect.weights))
+            elif isinstance(effect, Membership):
+                inside = np.zeros(reader.scene.n)
+                for mask, chance in effect.sets[:SETS]:
+                    inside = np.maximum(inside, mask * chance)
+                found.append(Restriction(1.0 - inside))
+    return found
+
+
+def _joined(reader: Reader, parts: tuple[Phrase, ...], base: Array) -> list[Effect]:
+    """Directions that share a reference: "above and to the left of X"."""
+    bare = [part for part in parts if not any(p.tag == "NP" for p in part.preorder())]
+    names = tuple(name for part in bare for leaf in part.leaves for name in w.directions(leaf.text))
+    referring = [part for part in parts if part not in bare]
+    if names and len(referring) == 1:
+        return relate(reader, referring[0], base, names)
+    return [effect for part in parts for effect in reader.effects(part, base)]
+
+
+def _predicate(reader: Reader, phrase: Phrase, base: Array) -> list[Effect]:
+    """A noun phrase that says more of the same thing: "that is the closest one to you"."""
+    noun = read_noun(phrase)
+    if noun.head in ("agent", "pronoun", "table", "measure") and not noun.lone:
+        return []
+    if noun.head == "place" and noun.place is None and whole_of(reader, noun) is None and not noun.agent:
+        noun = replace(noun, head="block")
+    if noun.head == "place":
+        return located(reader.scene, read_place(reader, noun), base)
+    if noun.head == "block" and noun.plural and noun.modifiers and not noun.colors:
+        return [e for m in noun.modifiers for e in reader.effects(m, base)]  # "two blocks behind X"
+    if noun.head in ("block", "other") and not noun.conjoined:
+        own = replace(noun, head="block", plural=False)
+        value = reader.chosen(own, base * colored(reader.scene, own.colors))
+    else:
+        value = reader.noun(noun)
+    if value.kind == "objects" and value.weights.any():
+        return [Restriction(value.weights / scores.peak(value.weights))]
+    return []

@@ -1,0 +1,37 @@
+"""Modifiers that say what something has beside it: "that has a red block to its left", "with a tower"."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from grounding.graded import words as w
+from grounding.graded.nouns import read_noun
+from grounding.graded.relations import directed, near
+from grounding.graded.values import Effect, Restriction
+from grounding.language.tree import Phrase
+
+if TYPE_CHECKING:
+    from grounding.graded.reader import Reader
+
+
+def having(reader: Reader, possession: Phrase) -> list[Effect]:
+    """What has X "to its left" lies to the right of X; else it is near X."""
+    scene = reader.scene
+    noun = read_noun(possession)
+    plain = replace(noun, modifiers=tuple(m for m in noun.modifiers if not _of_itself(m)))
+    value = reader.noun(plain)
+    if value.kind not in ("objects", "sets"):
+        return []
+    found: list[Effect] = []
+    for modifier in noun.modifiers:
+        if _of_itself(modifier):
+            opposite = tuple(w.OPPOSITE[name] for leaf in modifier.leaves for name in w.directions(leaf.text))
+            found.append(Restriction(directed(scene, value, opposite, reader.view, False)))
+    return found or [Restriction(near(scene, value, 1.2))]
+
+
+def _of_itself(modifier: Phrase) -> bool:
+    """Whether a modifier relates to the thing itself: "to its left"."""
+    texts = [leaf.text for leaf in modifier.leaves]
+    return bool({"its", "it"} & set(texts)) and any(w.directions(text) for text in texts)

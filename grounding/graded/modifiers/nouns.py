@@ -1,0 +1,47 @@
+"""A noun with what all its modifiers do."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from grounding.graded.modifiers.ranks import by_distance
+from grounding.graded.nouns import Noun, read_noun
+from grounding.graded.values import Effect
+from grounding.language.tree import Phrase
+from grounding.world import Array
+
+if TYPE_CHECKING:
+    from grounding.graded.reader import Reader
+
+
+def with_modifiers(reader: Reader, noun: Noun, base: Array) -> tuple[Noun, list[Effect]]:
+    """A noun with the effects of its modifiers; "closest ... to you" is taken together.
+
+    Args:
+        reader: that reads the modifiers.
+        noun: to which they belong.
+        base: how well every object agrees with its words, shape (n,).
+
+    Returns:
+        The noun without what was taken together with a modifier, and the effects.
+    """
+    effects: list[Effect] = []
+    for modifier in noun.modifiers:
+        if noun.distance and (reference := _complement(modifier)) is not None:
+            away = "from" in modifier.text.split()
+            found = by_distance(reader, read_noun(reference), noun.distance, None, away=away)
+            if found:
+                noun = replace(noun, distance=None)
+                effects += found
+                continue
+        effects += reader.effects(modifier, base)
+    return noun, effects
+
+
+def _complement(modifier: Phrase) -> Phrase | None:
+    """The noun phrase of "to X" and "from X", nothing else before it."""
+    texts = [word.text for word in modifier.words]
+    if modifier.tag == "PP" and texts in (["to"], ["from"], ["away", "from"]) and len(modifier.phrases) == 1:
+        return modifier.phrases[0] if modifier.phrases[0].tag == "NP" else None
+    return None

@@ -1,0 +1,53 @@
+"""What a modifier that names one relation does: its readings in their order."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from grounding.graded.modifiers.by_reference import BY_REFERENCE
+from grounding.graded.modifiers.by_words import BY_WORDS, by_itself
+from grounding.graded.modifiers.heard import Heard, hear
+from grounding.graded.nouns import Noun
+from grounding.graded.surroundings import lone
+from grounding.graded.values import Effect, Restriction
+from grounding.language.tree import Phrase
+from grounding.world import Array
+
+if TYPE_CHECKING:
+    from grounding.graded.reader import Reader
+
+
+def relate(reader: Reader, phrase: Phrase, base: Array, further: tuple[str, ...] = ()) -> list[Effect]:
+    """What a modifier does to the objects of the noun that it follows.
+
+    Args:
+        reader: that reads what it relates to.
+        phrase: the modifier.
+        base: how well every object agrees with the noun, shape (n,).
+        further: directions that were said before and share the reference.
+    """
+    heard = hear(phrase, base, further)
+    if heard.nested is not None:
+        return reader.effects(heard.nested, base)
+    noun = heard.noun
+    if heard.said.lone or (noun is not None and noun.lone and not noun.colors and not noun.modifiers):
+        return [Restriction(lone(reader.scene, base))]
+    if noun is None:
+        return by_itself(reader, heard)
+    for by_words in BY_WORDS:
+        if (found := by_words(reader, heard, noun)) is not None:
+            return found
+    noun = _directed(heard, noun)
+    value = reader.noun(noun)
+    for by_reference in BY_REFERENCE:
+        if (found := by_reference(reader, heard, noun, value)) is not None:
+            return found
+    return []
+
+
+def _directed(heard: Heard, noun: Noun) -> Noun:
+    """A bare place takes the directions before it: "behind and to the left"."""
+    if noun.head == "place" and noun.place is None and not noun.middle and not noun.agent:
+        return replace(noun, directions=(*noun.directions, *heard.directions()))
+    return noun

@@ -1,0 +1,48 @@
+"""Noun phrases of places: "the left side", "the middle of the row", "your right"."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from grounding.graded import scores
+from grounding.graded.nouns import Noun
+from grounding.graded.places import in_place, make_place, part_of
+from grounding.graded.values import Restriction, Value
+
+if TYPE_CHECKING:
+    from grounding.graded.reader import Reader
+
+
+def read_place(reader: Reader, noun: Noun) -> Value:
+    """What a noun whose head names a place is worth: a place, or the objects at the end of something."""
+    scene = reader.scene
+    names = list(noun.directions)
+    if not names and noun.agent and not noun.middle:
+        names = ["front"]  # "your side"
+    whole = whole_of(reader, noun)
+    some_part = "part" in noun.text.split() and not (noun.directions or noun.middle)
+    if whole is not None and whole.kind == "sets" and some_part:
+        return whole
+    if whole is not None and whole.place is not None and whole.kind == "place":  # "the middle of the left edge"
+        names += [name for name in whole.place.names if name not in names]
+    place = make_place(scene, names, noun.agent or reader.view, middle=noun.middle, corner=noun.place == "corner",
+                       bare=noun.place is None)  # fmt: skip
+    if whole is not None and whole.kind in ("sets", "objects") and whole.weights.any():
+        return part_of(scene, place, whole)
+    weights = in_place(scene, place, np.ones(scene.n))
+    for modifier in noun.modifiers:
+        for effect in reader.effects(modifier, np.ones(scene.n)):
+            if isinstance(effect, Restriction):
+                weights = weights * scores.softened(effect.weights)
+    return Value("place", weights, place=place)
+
+
+def whole_of(reader: Reader, noun: Noun) -> Value | None:
+    """What a place is a part of: "of the row"."""
+    for modifier in noun.modifiers:
+        if modifier.tag == "PP" and [word.text for word in modifier.words][-1:] in (["of"], ["in"], ["from"]):
+            for child in modifier.phrases:
+                return reader.value(child)
+    return None

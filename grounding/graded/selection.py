@@ -1,0 +1,138 @@
+"""The objects that a noun means: restrictors make a pool before selectors choose within it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from grounding.graded import scores, sets
+from grounding.graded.nouns import Noun
+from grounding.graded.scene import Scene
+from grounding.graded.selectors import adjectives, choose
+from grounding.graded.surroundings import lone
+from grounding.graded.values import SETS, Effect, Membership, Rank, Restriction, Value
+from grounding.world import Array
+
+FAINT = scores.FLOOR * scores.FLOOR
+"""What lies outside a set from which is chosen."""
+
+
+@dataclass(frozen=True, eq=False)
+class _Sorted:
+    """Effects by what they do.
+
+    Attributes:
+        weights: of the base as restricted, shape (n,).
+        preference: by which objects are preferred once they were selected, shape (n,).
+        memberships: sets from which is chosen.
+        ranks: what selects.
+        in_stack: whether one of the sets is a stack.
+    """
+
+    weights: Array
+    preference: Array
+    memberships: list[Membership]
+    ranks: list[Rank]
+    in_stack: bool
+
+
+def select(
+    scene: Scene, view: str, noun: Noun, base: Array, effects: list[Effect], unspoken: Array | None = None
+) -> Value:
+    """What a noun means, by its own words and what its modifiers do.
+
+    Args:
+        scene: the world.
+        view: whose left is meant where nobody is named.
+        noun: its modifiers count by their effects only.
+        base: how well every object agrees with the noun's words, shape (n,).
+        effects: of its modifiers.
+        unspoken: how well every object is another one than was spoken of, shape (n,), where the noun asks for it.
+    """
+    said = _sort(scene, noun, base, effects)
+    weights = said.weights
+    if noun.lone:
+        weights = weights * scores.softened(lone(scene, base))
+    if unspoken is not None:
+        weights = weights * unspoken
+    if not said.in_stack and not noun.plural and "up" not in noun.directions and "down" not in noun.directions:
+        weights = weights * scene.salience
+    choices = _choices(scene, said.memberships)
+    chosen = bool(said.memberships)
+    pools = []
+    for member, chance in choices:
+        pool = weights * np.where(member > 0, 1.0, FAINT)
+        if noun.only and chosen:
+            chance *= float(np.exp(-1.2 * abs(int((pool > 0.3).sum()) - 1)))
+        pools.append((pool, chance))
+    if noun.plural:
+        return _plural(scene, view, noun, pools, said.ranks)
+    kinds = said.memberships[0].kinds if chosen else ()
+    total = np.zeros(scene.n)
+    for pool, chance in pools:
+        total += chance * choose(scene, view, noun, pool, said.ranks, kinds, chosen=chosen, in_stack=said.in_stack)
+    total = total / max(1.0, sum(chance for _, chance in choices))
+    ranking = bool(said.ranks or noun.ordinals or noun.distance or noun.directions)
+    return Value("objects", total * said.preference ** (0.15 if ranking else 1.0), definite=noun.definite)
+
+
+def _sort(scene: Scene, noun: Noun, base: Array, effects: list[Effect]) -> _Sorted:
+    weights = base.copy()
+    preference = np.ones(scene.n)
+    memberships: list[Membership] = []
+    ranks: list[Rank] = []
+    for effect in effects:
+        if isinstance(effect, Restriction) and effect.preferred:
+            preference = preference * scores.softened(effect.weights)
+        elif isinstance(effect, Restriction):
+            weights = weights * scores.softened(_counted(effect, noun))
+            if effect.order is not None and noun.ordinals:
+                ranks.append(Rank(effect.order, None, 0.3 * scene.edge))
+        elif isinstance(effect, Membership):
+            memberships.append(effect)
+        else:
+            ranks.append(effect)
+    in_stack = any(mask.any() and scene.stacked[mask].all() for m in memberships for mask, _ in m.sets)
+    return _Sorted(weights, preference, memberships, ranks, in_stack)
+
+
+def _counted(effect: Restriction, noun: Noun) -> Array:
+    """How well a restriction holds; where an ordinal counts along it, distance does not speak against."""
+    if effect.order is None or not noun.ordinals:
+        return effect.weights
+    return np.asarray(np.sqrt(np.sqrt(effect.weights)))
+
+
+def _choices(scene: Scene, memberships: list[Membership]) -> list[tuple[np.ndarray, float]]:
+    """What lies in one set of every membership, with how likely those sets are meant together."""
+    choices: list[tuple[np.ndarray, float]] = [(np.ones(scene.n), 1.0)]
+    for membership in memberships:
+        tops = membership.sets[:SETS]
+        choices = [(mask * member, weight * chance) for mask, weight in choices for member, chance in tops] or choices
+    return choices
+
+
+def _plural(scene: Scene, view: str, noun: Noun, pools: list[tuple[Array, float]], ranks: list[Rank]) -> Value:
+    found = [
+        (mask, weight * chance) for pool, chance in pools for mask, weight in _several(scene, view, noun, pool, ranks)
+    ]
+    found = sorted(found, key=lambda item: -item[1])[:SETS]
+    weights = np.zeros(scene.n)
+    for mask, weight in found:
+        weights = np.maximum(weights, mask * weight)
+    return Value("sets", weights, tuple(found), definite=noun.definite, number=noun.number)
+
+
+def _several(scene: Scene, view: str, noun: Noun, pool: Array, ranks: list[Rank]) -> list[tuple[np.ndarray, float]]:
+    """What a plural may mean in a pool: the first so many where they are ranked, else what lies together."""
+    ranks = ranks + adjectives(scene, view, noun, pool)
+    if ranks and noun.number:
+        likely = np.flatnonzero(pool > 0.3 * scores.peak(pool))
+        if len(likely) >= noun.number:
+            key = np.asarray(sum(r.key / r.noise for r in ranks))
+            order = likely[np.argsort(-key[likely], kind="stable")][: noun.number]
+            mask = np.zeros(scene.n, dtype=bool)
+            mask[order] = True
+            return [(mask, float(pool[order].mean()))]
+    return sets.collected(scene, pool, noun.number, noun.universal)
