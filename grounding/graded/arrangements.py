@@ -27,6 +27,9 @@ _LINES = {"row": {"up": 0, "back": 0, "down": -1, "front": -1}, "column": {"left
 def read_arrangement(reader: Reader, noun: Noun) -> Value:
     """What a noun whose head names an arrangement is worth: sets with their weights."""
     scene = reader.scene
+    spoken = _spoken_of(reader, noun)
+    if spoken is not None:
+        return Value("sets", spoken.astype(float), ((spoken, 1.0),), kinds=noun.kinds)
     colors, number, rest = _contents(noun)
     stuff = np.ones(scene.n, dtype=bool)
     if colors:
@@ -46,6 +49,14 @@ def read_arrangement(reader: Reader, noun: Noun) -> Value:
         pool = pool + mask * (weight / max(total, 1.0))
     return Value("sets", np.minimum(pool, 1.0), tuple(found[: 2 * SETS]), definite=noun.definite, number=number,
                  kinds=noun.kinds)  # fmt: skip
+
+
+def _spoken_of(reader: Reader, noun: Noun) -> np.ndarray | None:
+    """The several that "that cluster" points back to, boolean (n,); None where it points to nothing."""
+    if reader.context is None or noun.plural or noun.modifiers or noun.text.split()[0] not in ("that", "this"):
+        return None
+    spoken = reader.context > 0.3 * scores.peak(reader.context)
+    return spoken if spoken.sum() > 1 else None
 
 
 def _contents(noun: Noun) -> tuple[tuple[str, ...], int | None, list[Phrase]]:

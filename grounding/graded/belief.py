@@ -21,9 +21,13 @@ NEGLIGIBLE = 1e-3  # parses less likely than the best by this factor are not rea
 PARSE_WEIGHT = 0.5  # how much a parse's probability counts beside how well its reading agrees with the world
 HEARD = 3  # readings that are asked where to
 DOUBT = 0.02  # every reading is worth so much, as eyes and words err
-UNMARKED = {ROBOT: 0.67, SPEAKER: 0.33}
-"""Whose left is meant where nobody is named and the speaker faces the robot: people who write for a robot take its
-view twice as often as their own."""
+UNMARKED = 0.75
+"""How likely an unmarked left is the robot's where nobody is named and the speaker faces it: people who write for a
+robot take its view more often than their own."""
+ADDRESSED = 0.92
+"""The same where the robot is spoken to as "you": who measures from it also sees from it."""
+ONESELF = 0.5
+"""The same where only the speaker is named."""
 BURIED = 0.1  # what carries something is less likely to be handled
 _ALONG = frozenset("behind row column line first second third fourth fifth last".split())
 
@@ -138,7 +142,14 @@ def _views(tree: Phrase, scene: Scene) -> dict[str, float]:
                 return {SPEAKER: 1.0}
     if not any(words.directions(text) or text in _ALONG for text in texts):
         return {ROBOT: 1.0}
-    return UNMARKED
+    named = {words.agent(text) for text in texts}
+    robots = ADDRESSED if ROBOT in named and not _third_person(texts) else ONESELF if SPEAKER in named else UNMARKED
+    return {ROBOT: robots, SPEAKER: 1.0 - robots}
+
+
+def _third_person(texts: Sequence[str]) -> bool:
+    """Whether the robot is only spoken of, not spoken to."""
+    return not any(text in ("you", "your", "yours", "you're") for text in texts)
 
 
 def _options(readings: Sequence[GradedReading], scene: Scene) -> tuple[tuple[Option, float], ...]:

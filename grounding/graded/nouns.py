@@ -24,6 +24,7 @@ class Noun:
         place: "side" or "corner".
         colors: asked for; one of them is enough.
         number: how many, or None.
+        counted: how many of each colour, where several colours are named: "three green and one blue block".
         plural: whether several are meant.
         ordinals: ranks, -1 for the last.
         distance: "near" or "far", a rank by distance.
@@ -48,6 +49,7 @@ class Noun:
     place: str | None = None
     colors: tuple[str, ...] = ()
     number: int | None = None
+    counted: tuple[tuple[int | None, str], ...] = ()
     plural: bool = False
     ordinals: tuple[int, ...] = ()
     distance: str | None = None
@@ -162,6 +164,8 @@ class _Reading:
         self.stacked = False
         self.away = False
         self.counts: list[int] = []
+        self.count: int | None = None
+        self.counted: list[tuple[int | None, str]] = []
         self.named_strangely = False
         self.behind: list[Word] = []
 
@@ -180,6 +184,8 @@ class _Reading:
         for symbol in symbols:
             if isinstance(symbol, ObjectColor):
                 self.colors.append(symbol.name)
+                self.counted.append((self.count, symbol.name))
+                self.count = None
                 return
             if isinstance(symbol, Ordinal):
                 self.ordinals.append(symbol.value)
@@ -190,6 +196,7 @@ class _Reading:
         for symbol in symbols:
             if isinstance(symbol, Cardinal) and not (text == "one" and (last and self.said_more)):
                 self.counts.append(symbol.value)
+                self.count = symbol.value
                 self.said["number"] = sum(self.counts) if len(self.colors) + 1 >= len(self.counts) > 1 else symbol.value
         if is_universal(text):
             self.said["universal"] = True
@@ -303,7 +310,8 @@ class _Reading:
             said["plural"] = False
         modifiers = (Phrase("PP", tuple(self.behind)),) if self.behind else ()
         strange = self.named_strangely and not self.heads
-        return Noun(head=head, kinds=kinds, modifiers=modifiers, strange=strange, colors=tuple(self.colors),
+        return Noun(head=head, kinds=kinds, modifiers=modifiers, strange=strange,
+                    colors=tuple(self.colors), counted=tuple(self.counted),
                     ordinals=tuple(self.ordinals), directions=tuple(self.directions), unknown=tuple(self.unknown),
                     text=text, **said)  # type: ignore[arg-type]  # fmt: skip
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from grounding.graded import scores
-from grounding.graded.nouns import Noun
+from grounding.graded.nouns import Noun, read_noun
 from grounding.graded.places import in_place, make_place, part_of
 from grounding.graded.values import Restriction, Value
 
@@ -41,8 +41,14 @@ def read_place(reader: Reader, noun: Noun) -> Value:
 
 def whole_of(reader: Reader, noun: Noun) -> Value | None:
     """What a place is a part of: "of the row"."""
+    whole = noun_of_whole(noun)
+    return None if whole is None else reader.noun(whole)
+
+
+def noun_of_whole(noun: Noun) -> Noun | None:
+    """The noun of what a place is a part of."""
     for modifier in noun.modifiers:
         if modifier.tag == "PP" and [word.text for word in modifier.words][-1:] in (["of"], ["in"], ["from"]):
             for child in modifier.phrases:
-                return reader.value(child)
+                return read_noun(child)
     return None

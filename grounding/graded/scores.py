@@ -8,6 +8,8 @@ from grounding.world import Array
 
 DECAY = 2.5
 """A direction fades over gaps of so many edges: what is meant is usually the next one."""
+STRICT = 0.4
+"""Of that, where "directly" or "right" narrows it."""
 FLOOR = 0.02
 """A restriction that does not hold leaves so much: words and eyes err."""
 
@@ -74,7 +76,7 @@ def directed(offset: Array, gap: Array, direction: Array, edge: float, *, strict
     side = np.abs(offset[..., 0] * direction[1] - offset[..., 1] * direction[0])
     tolerance = (0.3 if strict else 0.6) * np.maximum(ahead, 0.0) + (0.35 if strict else 0.5) * edge
     beyond = logistic((ahead - 0.4 * edge) / (0.12 * edge))
-    fading = np.exp(-gap / ((0.6 if strict else 1.0) * DECAY * edge))
+    fading = np.exp(-gap / ((STRICT if strict else 1.0) * DECAY * edge))
     return np.asarray(beyond * np.exp(-0.5 * (side / tolerance) ** 2) * fading)
 
 

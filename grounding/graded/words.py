@@ -45,6 +45,7 @@ _AGENTS = {
 }
 _LONE = frozenset("lone alone single solitary isolated lonely sole solo itself standalone own separate loner".split())
 _OTHER = frozenset("other another remaining else".split())
+_APART = frozenset("separated apart isolated detached separate away".split())
 _TOUCHING = frozenset("touching touches touch adjacent flush against connected contacting attached joined abutting "
                       "bordering touched".split())  # fmt: skip
 _BESIDE = frozenset("next beside by near close alongside nearby besides".split())
@@ -139,6 +140,11 @@ def agent(word: str) -> str | None:
 def is_lone(word: str) -> bool:
     """Whether a word says that something stands apart from others."""
     return word in _LONE
+
+
+def is_apart(words: Iterable[str]) -> bool:
+    """Whether one of some words says that things are far from each other: "separated from", "away from"."""
+    return not _APART.isdisjoint(words)
 
 
 def is_other(word: str) -> bool:

@@ -28,6 +28,11 @@ _DERIVATIONS = 6
 """Look at up to so many derivations for every tree wanted: some differ in the words' tags only."""
 
 _MOST_KEPT = 4096
+_DASHES = frozenset("-–—―")
+_CLAUSE = 3  # words on either side of a dash that ends a sentence
+_BEING = frozenset(("is", "are", "'s"))
+_RELATIVE = frozenset(("that", "which", "who", "where", "it"))
+_COMMANDING = frozenset("pick grab take get lift select choose move put place stack set remove fetch grasp".split())
 _MOST_SKIPPED = 3
 """So many words of a sentence that does not parse whole are tried to be left out, one at a time."""
 _SKIPPED = -12.0
@@ -178,14 +183,32 @@ class Parser:
 
 
 def split_sentences(tokens: Sequence[Token]) -> tuple[tuple[Token, ...], ...]:
-    """The words of each sentence, without punctuation; sentences without words are left out."""
+    """The words of each sentence, without punctuation; sentences without words are left out.
+
+    A dash by itself ends one where enough words stand on either side: "there are two on the left - take the near one".
+    """
     sentences: list[list[Token]] = [[]]
-    for token in tokens:
-        if token.ends_sentence:
+    for place, token in enumerate(tokens):
+        dashed = token.text in _DASHES and _sets_apart(tokens, place)
+        if token.ends_sentence or dashed or (token.text == "," and _begins_anew(sentences[-1], tokens[place + 1 :])):
             sentences.append([])
         elif token.is_word:
             sentences[-1].append(token)
     return tuple(tuple(sentence) for sentence in sentences if sentence)
+
+
+def _begins_anew(said: Sequence[Token], after: Sequence[Token]) -> bool:
+    """Whether a comma parts what is told of the world from a command: "there is a row here, take its last block"."""
+    texts = [token.text for token in said]
+    told = next((place for place, text in enumerate(texts) if text in _BEING), None)
+    if told is None or _RELATIVE & set(texts[:told]) or _COMMANDING & set(texts[:2]):
+        return False
+    return bool(after) and after[0].text in _COMMANDING
+
+
+def _sets_apart(tokens: Sequence[Token], dash: int) -> bool:
+    before, after = tokens[max(0, dash - _CLAUSE) : dash], tokens[dash + 1 : dash + 1 + _CLAUSE]
+    return all(len(side) == _CLAUSE and all(token.is_word for token in side) for side in (before, after))
 
 
 def _mended(tokens: Sequence[Token], tree: Phrase) -> tuple[tuple[str, str], ...]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from grounding.graded.discourse.verbs import BEING
 from grounding.graded.nouns import read_noun
 from grounding.language.tree import Phrase, Word
 
@@ -66,10 +67,23 @@ def parts_of(clause: Phrase) -> Parts:
             else:
                 (rest if objects or subjects else before).append(child)
 
-    visit(clause)
+    visit(_upright(clause))
     if not objects and not subjects:
         before, rest = [], before + rest
     return Parts(tuple(words), tuple(subjects), tuple(objects), tuple(before), tuple(rest))
+
+
+def _upright(clause: Phrase) -> Phrase:
+    """What is told in inverse order, as if there were "there": "on the left are two red blocks"."""
+    places = [child for child in clause.phrases if child.tag in ("PP", "ADVP")]
+    verb = clause.phrases[-1] if clause.phrases else clause
+    inverse = clause.tag == "S" and verb.tag == "VP" and places and len(places) + 1 == len(clause.children)
+    if not inverse or not isinstance(verb.children[0], Word) or verb.children[0].text not in BEING:
+        return clause
+    if len(verb.children) < 2 or not isinstance(verb.children[1], Phrase) or verb.children[1].tag != "NP":
+        return clause
+    there = Phrase("NP", (Word("there", "EX", clause.leaves[0].index),))
+    return Phrase("S", (there, Phrase("VP", (*verb.children[:2], *places, *verb.children[2:]))))
 
 
 def is_existential(phrase: Phrase) -> bool:

@@ -71,12 +71,18 @@ def take(noun: Noun, reader: Reader, told: Told) -> None:
         return
     weights = value.weights
     if told.mentioned is not None and told.plural and noun.head == "block":
-        inside = weights * np.where(told.mentioned > 0.3 * told.mentioned.max(initial=1e-9), 1.0, _OUTSIDE)
-        weights = np.maximum(inside, reader.within(noun, told.mentioned))
+        inside = told.mentioned > 0.3 * scores.peak(told.mentioned)
+        fainter = 1.0 if _excludes(noun) else _OUTSIDE
+        weights = np.maximum(weights * np.where(inside, 1.0, fainter), reader.within(noun, told.mentioned))
     if told.target is not None:
         weights = weights * _agreed(told.target / scores.peak(told.target))
     told.target = weights
     told.sets = value.sets if value.kind == "sets" else ()
+
+
+def _excludes(noun: Noun) -> bool:
+    """Whether a noun says what it is not: "the one that is not in that row"."""
+    return any(leaf.text in ("not", "n't", "outside") for modifier in noun.modifiers for leaf in modifier.leaves)
 
 
 def _take_again(noun: Noun, reader: Reader, told: Told) -> None:
@@ -151,7 +157,7 @@ def add(piece: Phrase, reader: Reader, told: Told) -> None:
     if told.target is None:
         _begin(piece, reader, told)
         return
-    for effect in reader.effects(piece, told.target):
+    for effect in reader.effects(piece, told.target / scores.peak(told.target)):
         if isinstance(effect, Restriction):
             told.target = told.target * _agreed(effect.weights)
         elif isinstance(effect, Membership):

@@ -11,14 +11,14 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from grounding.graded import words as w
+from grounding.graded.modifiers.enclosing import between
 from grounding.graded.modifiers.heard import Heard
 from grounding.graded.nouns import Noun
 from grounding.graded.people import before, distance_from
-from grounding.graded.place_phrases import whole_of
+from grounding.graded.place_phrases import noun_of_whole
 from grounding.graded.places import located
 from grounding.graded.relations import along, distance_to, measured, near, vertical
 from grounding.graded.scene import ROBOT
-from grounding.graded.surroundings import amid
 from grounding.graded.values import Effect, Membership, Rank, Restriction, Value
 
 if TYPE_CHECKING:
@@ -26,7 +26,6 @@ if TYPE_CHECKING:
 
     ReferenceReading = Callable[[Reader, Heard, Noun, Value], list[Effect] | None]
 
-_APART = frozenset("separated apart isolated detached separate".split())
 _THINGS = ("objects", "sets")
 
 
@@ -34,13 +33,13 @@ def _middle_of(reader: Reader, heard: Heard, noun: Noun, value: Value) -> list[E
     """In the middle of several: the middle one of them, or what lies between them."""
     if noun.head != "place" or not noun.middle or noun.directions or value.kind != "objects":
         return None
-    whole = whole_of(reader, noun)
-    return [Restriction(value.weights if whole is None else np.maximum(value.weights, amid(reader.scene, whole)))]
+    whole = noun_of_whole(noun)
+    return [Restriction(value.weights if whole is None else np.maximum(value.weights, between(reader, whole)))]
 
 
 def _apart(reader: Reader, heard: Heard, noun: Noun, value: Value) -> list[Effect] | None:
     """For example "separated from the others"."""
-    if not _APART & set(heard.texts) or value.kind not in _THINGS or not value.weights.any():
+    if not w.is_apart(heard.texts) or value.kind not in _THINGS or not value.weights.any():
         return None
     scene = reader.scene
     return [Restriction(1.0 - near(scene, value, 1.0)), Rank(distance_to(scene, value), None, scene.edge)]

@@ -8,7 +8,10 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
+from grounding.graded import scores
 from grounding.graded import words as w
+from grounding.graded.colors import colored
+from grounding.graded.modifiers import enclosing
 from grounding.graded.modifiers.having import having
 from grounding.graded.modifiers.heard import Heard
 from grounding.graded.modifiers.ranks import by_distance, counted_from, is_plain
@@ -18,7 +21,7 @@ from grounding.graded.place_phrases import whole_of
 from grounding.graded.places import closeness, in_place, located, make_place
 from grounding.graded.relations import along, measured
 from grounding.graded.scene import ROBOT
-from grounding.graded.surroundings import amid, surrounded
+from grounding.graded.surroundings import gaps_to_others
 from grounding.graded.values import Effect, Place, Rank, Restriction, Value
 
 if TYPE_CHECKING:
@@ -53,14 +56,14 @@ def _between(reader: Reader, heard: Heard, noun: Noun) -> list[Effect] | None:
     """For example "between the towers"."""
     if not any(w.is_between(text) for text in heard.texts):
         return None
-    return [Restriction(amid(reader.scene, reader.noun(noun)))]
+    return [Restriction(enclosing.between(reader, noun))]
 
 
 def _surrounded(reader: Reader, heard: Heard, noun: Noun) -> list[Effect] | None:
     """For example "surrounded by red blocks"."""
     if not any(w.is_surrounded(text) for text in heard.texts):
         return None
-    return [Restriction(surrounded(reader.scene, reader.noun(noun)))]
+    return [Restriction(enclosing.surrounded(reader, noun))]
 
 
 def _counted(reader: Reader, heard: Heard, noun: Noun) -> list[Effect] | None:
@@ -107,6 +110,20 @@ def _side_of(reader: Reader, heard: Heard, noun: Noun) -> list[Effect] | None:
     return [along(scene, whole, toward, noun.agent or reader.view, heard.strict)]
 
 
+def _of_others(reader: Reader, heard: Heard, noun: Noun) -> list[Effect] | None:
+    """For example "not with the other red ones", "separated from the others": others than each that is compared."""
+    if not (noun.other and noun.plural and noun.head == "block") or not heard.base.any():
+        return None
+    scene = reader.scene
+    others = colored(scene, noun.colors) if noun.colors else heard.base
+    gaps = gaps_to_others(scene, others > 0.5)
+    if w.is_apart(heard.texts):
+        return [Restriction(1.0 - scores.beside(gaps, scene.edge, 1.0)), Rank(gaps, None, scene.edge)]
+    if heard.last == "with" or any(w.is_beside(text) for text in heard.texts):
+        return [Restriction(scores.beside(gaps, scene.edge, 1.5))]
+    return None
+
+
 def _having(reader: Reader, heard: Heard, noun: Noun) -> list[Effect] | None:
     """For example "with a red block to its left"."""
     if heard.child is None or heard.last != "with" or noun.head not in ("block", "container"):
@@ -122,5 +139,6 @@ BY_WORDS: tuple[WordReading, ...] = (
     _far_from,
     _all_the_way,
     _side_of,
+    _of_others,
     _having,
 )

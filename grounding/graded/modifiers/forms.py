@@ -10,12 +10,14 @@ import numpy as np
 from grounding.graded import scores
 from grounding.graded import words as w
 from grounding.graded.colors import colored
-from grounding.graded.modifiers.having import having
+from grounding.graded.modifiers.having import having, possessions
+from grounding.graded.modifiers.nouns import with_modifiers
 from grounding.graded.modifiers.relating import relate
-from grounding.graded.nouns import read_noun
+from grounding.graded.nouns import Noun, read_noun
 from grounding.graded.place_phrases import read_place, whole_of
 from grounding.graded.places import located
-from grounding.graded.values import SETS, Effect, Membership, Restriction
+from grounding.graded.selectors import adjectives
+from grounding.graded.values import SETS, Effect, Membership, Rank, Restriction
 from grounding.language.lexicon import meanings
 from grounding.language.tree import Phrase
 from grounding.symbols import Ordinal
@@ -76,7 +78,7 @@ def _clause(reader: Reader, phrase: Phrase, base: Array, *, possessive: bool) ->
     """What the parts of a clause do, its subject left out: "that is next to X", "which has X behind it"."""
     found: list[Effect] = []
     verb = phrase.tag == "VP"
-    for child in phrase.phrases:
+    for child in possessions(phrase.phrases) if verb and possessive else phrase.phrases:
         if child.tag == "NP" and not verb and read_noun(child).head in ("pronoun", "other", "agent"):
             continue
         if child.tag == "NP" and verb and possessive:
@@ -118,14 +120,35 @@ def _predicate(reader: Reader, phrase: Phrase, base: Array) -> list[Effect]:
     if noun.head == "place" and noun.place is None and whole_of(reader, noun) is None and not noun.agent:
         noun = replace(noun, head="block")
     if noun.head == "place":
-        return located(reader.scene, read_place(reader, noun), base)
+        value = read_place(reader, noun)
+        return [Membership(value.sets, value.kinds)] if value.kind == "sets" else located(reader.scene, value, base)
     if noun.head == "block" and noun.plural and noun.modifiers and not noun.colors:
         return [e for m in noun.modifiers for e in reader.effects(m, base)]  # "two blocks behind X"
     if noun.head in ("block", "other") and not noun.conjoined:
         own = replace(noun, head="block", plural=False)
+        if not (own.middle or own.lone or own.other):
+            return _said_of(reader, own, base)
         value = reader.chosen(own, base * colored(reader.scene, own.colors))
     else:
         value = reader.noun(noun)
     if value.kind == "objects" and value.weights.any():
         return [Restriction(value.weights / scores.peak(value.weights))]
     return []
+
+
+def _said_of(reader: Reader, noun: Noun, base: Array) -> list[Effect]:
+    """What a predicate adds: its restrictions, and its ranks, which select among what all others leave."""
+    own = base * colored(reader.scene, noun.colors)
+    bare, effects = with_modifiers(reader, noun, own)
+    ranks = [effect for effect in effects if isinstance(effect, Rank)]
+    ranks += adjectives(reader.scene, reader.view, bare, own)
+    ordinals = list(bare.ordinals)
+    if len(ordinals) > sum(rank.ordinal is None for rank in ranks):
+        weights = reader.chosen(noun, own).weights
+        return [Restriction(weights / scores.peak(weights))]
+    found: list[Effect] = [effect for effect in effects if not isinstance(effect, Rank)]
+    if noun.colors:
+        found.append(Restriction(colored(reader.scene, noun.colors)))
+    for rank in ranks:
+        found.append(replace(rank, ordinal=ordinals.pop(0)) if rank.ordinal is None and ordinals else rank)
+    return found

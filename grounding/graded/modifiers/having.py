@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -35,3 +36,14 @@ def _of_itself(modifier: Phrase) -> bool:
     """Whether a modifier relates to the thing itself: "to its left"."""
     texts = [leaf.text for leaf in modifier.leaves]
     return bool({"its", "it"} & set(texts)) and any(w.directions(text) for text in texts)
+
+
+def possessions(children: Sequence[Phrase]) -> list[Phrase]:
+    """The complements of "has", where a side of the one that has was parsed beside what it has there."""
+    found: list[Phrase] = []
+    for child in children:
+        if found and found[-1].tag == "NP" and child.tag == "PP" and _of_itself(child):
+            found[-1] = Phrase("NP", (found[-1], child))
+        else:
+            found.append(child)
+    return found

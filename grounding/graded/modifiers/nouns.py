@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -27,7 +28,7 @@ def with_modifiers(reader: Reader, noun: Noun, base: Array) -> tuple[Noun, list[
         The noun without what was taken together with a modifier, and the effects.
     """
     effects: list[Effect] = []
-    for modifier in noun.modifiers:
+    for modifier in _separate(noun.modifiers):
         if noun.distance and (reference := _complement(modifier)) is not None:
             away = "from" in modifier.text.split()
             found = by_distance(reader, read_noun(reference), noun.distance, None, away=away)
@@ -37,6 +38,19 @@ def with_modifiers(reader: Reader, noun: Noun, base: Array) -> tuple[Noun, list[
                 continue
         effects += reader.effects(modifier, base)
     return noun, effects
+
+
+def _separate(modifiers: Sequence[Phrase]) -> list[Phrase]:
+    """Modifiers, those one by one that "and" joins to a complement: "from you and next to a red one"."""
+    found: list[Phrase] = []
+    for modifier in modifiers:
+        parts = modifier.phrases
+        joined = modifier.tag == "PP" and len(parts) > 1 and all(part.tag == "PP" for part in parts)
+        if joined and all(word.tag == "CC" for word in modifier.words) and _complement(parts[0]) is not None:
+            found += parts
+        else:
+            found.append(modifier)
+    return found
 
 
 def _complement(modifier: Phrase) -> Phrase | None:

@@ -5,12 +5,14 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from grounding.graded import words as w
+from grounding.graded.colors import colored
 from grounding.graded.modifiers.by_reference import BY_REFERENCE
 from grounding.graded.modifiers.by_words import BY_WORDS, by_itself
 from grounding.graded.modifiers.heard import Heard, hear
 from grounding.graded.nouns import Noun
 from grounding.graded.surroundings import lone
-from grounding.graded.values import Effect, Restriction
+from grounding.graded.values import Effect, Restriction, Value
 from grounding.language.tree import Phrase
 from grounding.world import Array
 
@@ -39,11 +41,24 @@ def relate(reader: Reader, phrase: Phrase, base: Array, further: tuple[str, ...]
         if (found := by_words(reader, heard, noun)) is not None:
             return found
     noun = _directed(heard, noun)
-    value = reader.noun(noun)
+    value = _among_the_same(reader, heard, noun) if _is_elliptic(heard) else reader.noun(noun)
     for by_reference in BY_REFERENCE:
         if (found := by_reference(reader, heard, noun, value)) is not None:
             return found
     return []
+
+
+def _is_elliptic(heard: Heard) -> bool:
+    """Whether only a number is named: "of the three"."""
+    noun = heard.noun
+    return noun is not None and heard.child is not None and noun.head == "block" and noun.plural and not any(
+        w.is_block(leaf.text) or w.containers(leaf.text) for leaf in heard.child.leaves
+    )
+
+
+def _among_the_same(reader: Reader, heard: Heard, noun: Noun) -> Value:
+    """What several mean that are of the kind of what is modified: "the red block ... of the three" red blocks."""
+    return reader.chosen(noun, colored(reader.scene, noun.colors) * heard.base)
 
 
 def _directed(heard: Heard, noun: Noun) -> Noun:

@@ -1,0 +1,65 @@
+"""Modifiers whose parts belong together though the words are apart, in scenes whose answer is plain."""
+
+import functools
+
+import numpy as np
+import pytest
+
+from grounding import World, make_object
+from grounding.geometry.layout import Layout
+from grounding.graded.belief import believe
+from grounding.graded.scene import ROBOT, SPEAKER, Scene
+from grounding.language.parser import Parser
+from grounding.world import Viewpoint
+
+WORLD = World(
+    (make_object("table", "table", "white", (0.75, 0, 0.691), size=(0.9, 1.6, 0.04)),
+     *(make_object(name, "block", color, (0.5 + 0.07 * x, 0.07 * y, 0.736)) for name, color, x, y in (
+        ("g1", "green", 0, -4), ("g2", "green", 1, -4), ("g3", "green", 0, -5), ("g4", "green", 5, 5),
+        ("o1", "orange", 0, 4), ("o2", "orange", 3, 4), ("o3", "orange", 5, 0), ("u1", "blue", 3, 5),
+        ("y1", "yellow", 5, -1)))),
+    Viewpoint(np.array([1.7, 0.0, 0.0]), np.pi),
+)  # fmt: skip
+SCENE = Scene(Layout(WORLD))
+
+
+@functools.cache
+def parser():
+    return Parser.load()
+
+
+def believed(text):
+    return believe(parser().parse(text, 4), SCENE)
+
+
+@pytest.mark.parametrize(
+    ("text", "name"),
+    [
+        ("pick up the green block that is not with the other green blocks", "g4"),
+        ("pick up the green block that is separated from the three other green blocks", "g4"),
+        ("grab the orange block that is on the left side but is the closer one to you", "o1"),
+        ("take the orange block that is the farthest from you and next to a blue block", "o2"),
+        ("take the orange block that has a yellow block to its right", "o3"),
+        ("on the left are two orange blocks. take the one that is closer to you", "o1"),
+        ("there are two orange blocks on the left - take the one that is closer to you", "o1"),
+        ("there is a group of three green blocks on your right, get the green block that is not in that group",
+         "g4"),
+        ("pick up the green block that is farthest from you of the four", "g4"),
+    ],
+)  # fmt: skip
+def test_what_is_said_apart_is_heard_together(text, name):
+    (first, share), *others = believed(text).options
+    assert first == ("pick", (name,))
+    assert all(share > 1.5 * other for _, other in others)
+
+
+def share_of_the_robot(text):
+    belief = believed(text)
+    assert {reading.reader.view for reading in belief.readings} == {ROBOT, SPEAKER}
+    return sum(reading.share for reading in belief.readings if reading.reader.view == ROBOT)
+
+
+def test_who_is_named_decides_whose_left_is_likelier():
+    bare = share_of_the_robot("take the green block on the left")
+    assert share_of_the_robot("you take the green block on the left") > bare
+    assert share_of_the_robot("i want the green block on the left") < bare
