@@ -13,6 +13,7 @@ from grounding.graded.values import SETS, Restriction, Value
 from grounding.world import Array
 
 _PITCH = 1.08  # edges from one block to the next where people count by blocks
+_COUNTED = 0.7  # how often "two blocks behind" is the second block there, rather than so many lengths away
 _FAR = 10.0  # [m], so that nothing is near to itself
 
 
@@ -47,7 +48,9 @@ def near(scene: Scene, value: Value, reach: float) -> Array:
     return pairwise(scene, value, scores.beside(scene.gaps, scene.edge, reach))
 
 
-def directed(scene: Scene, value: Value, names: tuple[str, ...], owner: str, strict: bool) -> Array:
+def directed(
+    scene: Scene, value: Value, names: tuple[str, ...], owner: str, strict: bool, *, fading: bool = True
+) -> Array:
     """How well objects lie in a direction of a reference, as somebody sees it; by height where things are stacked."""
     if ("up" in names or "down" in names) and scene.towers:
         height = vertical(scene, value, 1.0 if "up" in names else -1.0)
@@ -61,25 +64,43 @@ def directed(scene: Scene, value: Value, names: tuple[str, ...], owner: str, str
     if length < 1e-6:
         return np.ones(scene.n)
     offset = scene.xy[:, None] - scene.xy[None]
-    return pairwise(scene, value, scores.directed(offset, scene.gaps, direction / length, scene.edge, strict=strict))
+    held = scores.directed(offset, scene.gaps, direction / length, scene.edge, strict=strict, fading=fading)
+    return pairwise(scene, value, held)
 
 
 def along(scene: Scene, value: Value, names: tuple[str, ...], owner: str, strict: bool) -> Restriction:
     """A direction from a reference; ordinals count away from it."""
-    return Restriction(directed(scene, value, names, owner, strict), -distance_to(scene, value))
+    lane = directed(scene, value, names, owner, strict, fading=False)
+    return Restriction(directed(scene, value, names, owner, strict), -distance_to(scene, value), lane=lane)
 
 
-def measured(scene: Scene, value: Value, names: tuple[str, ...], owner: str, steps: float) -> Array:
-    """So many blocks away in a direction, counted between the blocks or from centre to centre."""
+def measured(
+    scene: Scene, value: Value, names: tuple[str, ...], owner: str, steps: float, *, counting: bool = False
+) -> Array:
+    """So many blocks away in a direction, by blocks that lie there or by their lengths."""
     vector = np.sum([scene.direction(name, owner) for name in w.flat(names)], axis=0)
-    total = np.zeros(scene.n)
+    total, counted = np.zeros(scene.n), np.zeros(scene.n)
+    share = _COUNTED if counting and steps >= 1 and steps == int(steps) else 0.0
     for start, chance in _starts(scene, value):
         for count, likely in ((steps, 0.8), (steps + 1, 1.0)):
             target = start + vector * count * _PITCH * scene.edge
             away = np.linalg.norm(scene.xy - target, axis=1) / scene.edge
             held = np.exp(-0.5 * (away / (0.7 + 0.25 * steps)) ** 2)
             total = np.maximum(total, chance * likely * held)
-    return total
+        if share:
+            counted = counted + chance * (1 - counted) * _counted_off(scene, start, vector, int(steps))
+    return np.asarray((1 - share) * total + share * counted)
+
+
+def _counted_off(scene: Scene, start: Array, vector: Array, index: int) -> Array:
+    """How well every object is the index-th of those that lie in a direction, shape (n,)."""
+    length = float(np.linalg.norm(vector))
+    if length < 1e-6:
+        return np.zeros(scene.n)
+    ahead = (scene.xy - start) @ vector / length
+    side = np.abs((scene.xy - start) @ np.array([-vector[1], vector[0]]) / length)
+    lane = scores.logistic((ahead / scene.edge - 0.4) / 0.12) * np.exp(-0.5 * (side / (0.9 * scene.edge)) ** 2)
+    return scores.ranked(lane, -ahead, index, 0.3 * scene.edge)
 
 
 def _starts(scene: Scene, value: Value) -> list[tuple[Array, float]]:

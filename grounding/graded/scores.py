@@ -62,7 +62,9 @@ def ranked(weights: Array, key: Array, index: int, noise: float) -> Array:
     return np.asarray(weights * counts[:, index - 1])
 
 
-def directed(offset: Array, gap: Array, direction: Array, edge: float, *, strict: bool = False) -> Array:
+def directed(
+    offset: Array, gap: Array, direction: Array, edge: float, *, strict: bool = False, fading: bool = True
+) -> Array:
     """How well offsets lie in a direction: ahead, little to the side, not far.
 
     Args:
@@ -71,13 +73,14 @@ def directed(offset: Array, gap: Array, direction: Array, edge: float, *, strict
         direction: unit vector (2,).
         edge: of a block [m].
         strict: "directly": little to the side and near count more.
+        fading: whether it also counts how near: not where those in a direction are counted.
     """
     ahead = offset @ direction
     side = np.abs(offset[..., 0] * direction[1] - offset[..., 1] * direction[0])
     tolerance = (0.3 if strict else 0.6) * np.maximum(ahead, 0.0) + (0.35 if strict else 0.5) * edge
     beyond = logistic((ahead - 0.4 * edge) / (0.12 * edge))
-    fading = np.exp(-gap / ((STRICT if strict else 1.0) * DECAY * edge))
-    return np.asarray(beyond * np.exp(-0.5 * (side / tolerance) ** 2) * fading)
+    near = np.exp(-gap / ((STRICT if strict else 1.0) * DECAY * edge)) if fading else 1.0
+    return np.asarray(beyond * np.exp(-0.5 * (side / tolerance) ** 2) * near)
 
 
 def beside(gap: Array, edge: float, reach: float) -> Array:

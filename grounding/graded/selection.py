@@ -99,9 +99,7 @@ def _sort(scene: Scene, noun: Noun, base: Array, effects: list[Effect]) -> _Sort
 
 def _counted(effect: Restriction, noun: Noun) -> Array:
     """How well a restriction holds; where an ordinal counts along it, distance does not speak against."""
-    if effect.order is None or not noun.ordinals:
-        return effect.weights
-    return np.asarray(np.sqrt(np.sqrt(effect.weights)))
+    return effect.weights if effect.lane is None or not noun.ordinals else effect.lane
 
 
 def _choices(scene: Scene, memberships: list[Membership]) -> list[tuple[np.ndarray, float]]:

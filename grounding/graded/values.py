@@ -69,10 +69,12 @@ class Restriction:
         weights: the degree.
         preferred: whether it only prefers: who is ranked or counted does not depend on it ("in front of you").
         order: how an ordinal of the noun counts along it ("the second block below the tower"), larger first, or None.
+        lane: the degree by direction alone, which holds of those that are counted, or None.
     """
 
     weights: Array
     order: Array | None = None
+    lane: Array | None = None
     preferred: bool = False
 
 

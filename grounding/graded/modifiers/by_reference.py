@@ -62,7 +62,7 @@ def _toward(reader: Reader, heard: Heard, noun: Noun, value: Value) -> list[Effe
     if not names:
         return None
     if heard.measure is not None and value.kind in (*_THINGS, "place"):
-        return [Restriction(measured(reader.scene, value, names, reader.view, heard.measure))]
+        return [Restriction(measured(reader.scene, value, names, reader.view, heard.measure, counting=heard.counting))]
     if value.kind in _THINGS:
         return [along(reader.scene, value, names, reader.view, heard.strict)]
     return None

@@ -106,7 +106,7 @@ def _side_of(reader: Reader, heard: Heard, noun: Noun) -> list[Effect] | None:
         return None
     toward = (*heard.further, *noun.directions)
     if heard.measure is not None:
-        return [Restriction(measured(scene, whole, toward, reader.view, heard.measure))]
+        return [Restriction(measured(scene, whole, toward, reader.view, heard.measure, counting=heard.counting))]
     return [along(scene, whole, toward, noun.agent or reader.view, heard.strict)]
 
 

@@ -27,6 +27,7 @@ class Heard:
         child: the noun phrase to which it relates, or None.
         noun: the same, read.
         measure: how many blocks away, or None.
+        counting: whether blocks are counted and not lengths.
         strict: whether its words narrow a direction.
     """
 
@@ -38,6 +39,7 @@ class Heard:
     child: Phrase | None
     noun: Noun | None
     measure: float | None
+    counting: bool
     strict: bool
 
     @property
@@ -68,6 +70,7 @@ def hear(phrase: Phrase, base: Array, further: tuple[str, ...] = ()) -> Heard:
     said = read_words(leaves)
     texts = [word.text for word in leaves]
     measure: float | None = None
+    counting = False
     child: Phrase | None = None
     for inner in phrase.phrases:
         if inner.tag == "NP":
@@ -75,7 +78,7 @@ def hear(phrase: Phrase, base: Array, further: tuple[str, ...] = ()) -> Heard:
             if size is None:
                 child = child or inner
             elif measure is None:
-                measure = size
+                measure, counting = size, read_noun(inner).head == "block"
     nested = next((c for c in phrase.phrases if c.tag in ("PP", "ADVP")), None) if child is None else None
     silent = not said.distance and not said.ordinals and not said.directions and measure is None
     if nested is not None and not silent:
@@ -84,7 +87,7 @@ def hear(phrase: Phrase, base: Array, further: tuple[str, ...] = ()) -> Heard:
         nested = None
     noun = read_noun(child) if child is not None else None
     strict = any(w.is_strict(text) for text in texts) or len(leaves) < len(phrase.words)
-    return Heard(base, further, said, texts, nested, child, noun, measure, strict)
+    return Heard(base, further, said, texts, nested, child, noun, measure, counting, strict)
 
 
 def _without_emphasis(words: tuple[Word, ...]) -> tuple[Word, ...]:

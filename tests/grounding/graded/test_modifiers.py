@@ -63,3 +63,25 @@ def test_who_is_named_decides_whose_left_is_likelier():
     bare = share_of_the_robot("take the green block on the left")
     assert share_of_the_robot("you take the green block on the left") > bare
     assert share_of_the_robot("i want the green block on the left") < bare
+
+
+# A column of four before the robot: red, blue, yellow, blue; another yellow one beside it.
+
+COLUMN = Scene(Layout(World(tuple(
+    make_object(name, "block", color, (0.5 + 0.07 * x, 0.07 * y, 0.736))
+    for name, color, x, y in (
+        ("r", "red", 0, 0), ("u1", "blue", 1, 0), ("y1", "yellow", 2, 0), ("u2", "blue", 4, 0), ("y2", "yellow", 3, 2),
+    )
+))))  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("text", "name"),
+    [
+        ("take the block two blocks behind the red block", "y1"), ("take the second block behind the red one", "y1"),
+        ("take the third block behind the red block", "u2"), ("take the second blue block behind the red one", "u2"),
+        ("take the block that is three blocks behind the red block", "u2"),
+    ],
+)  # fmt: skip
+def test_blocks_are_counted_along_a_direction(text, name):
+    assert believe(parser().parse(text, 4), COLUMN).options[0][0] == ("pick", (name,))
