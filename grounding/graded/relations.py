@@ -69,8 +69,8 @@ def directed(
 
 
 def along(scene: Scene, value: Value, names: tuple[str, ...], owner: str, strict: bool) -> Restriction:
-    """A direction from a reference; ordinals count away from it."""
-    lane = directed(scene, value, names, owner, strict, fading=False)
+    """A direction from a reference; ordinals count away from it, and little to the side."""
+    lane = directed(scene, value, names, owner, True, fading=False)
     return Restriction(directed(scene, value, names, owner, strict), -distance_to(scene, value), lane=lane)
 
 
