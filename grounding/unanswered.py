@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 from grounding.graded import words as w
 from grounding.graded.discourse import HANDLING
+from grounding.graded.history import is_surely_recalled
 from grounding.graded.nouns import Noun, read_noun
 from grounding.graded.reader import Reader
 from grounding.graded.scene import Scene
@@ -48,6 +49,8 @@ def unanswered(tree: Phrase, scene: Scene, unknown: tuple[str, ...]) -> Unanswer
     strange = unknown_things(tree, scene.layout) if asks else ()
     heard = tuple(dict.fromkeys((*unknown, *strange)))
     if asks and (things or strange):
+        if _recalls(tree):
+            return Unanswered("no_referent", "nothing was handled before; say which block", heard)
         missing = whats_missing(tree, scene)
         hollow = next((p.text for p in tree.preorder() if p.tag == "NP"), tree.text)
         return Unanswered("no_referent", missing or f"nothing here is {hollow!r}", heard)
@@ -70,7 +73,7 @@ def open_options(tree: Phrase, scene: Scene) -> tuple[tuple[str, tuple[str, ...]
         tree: the likeliest parse.
         scene: the world.
     """
-    if not _asks(tree) or whats_missing(tree, scene) is not None:
+    if not _asks(tree) or _recalls(tree) or whats_missing(tree, scene) is not None:
         return ()
     kind = next((k for k, verbs in HANDLING.items() for leaf in tree.leaves if leaf.text in verbs), "pick")
     for target in targets(tree):
@@ -80,6 +83,11 @@ def open_options(tree: Phrase, scene: Scene) -> tuple[tuple[str, tuple[str, ...]
             weights = Reader(scene).value_of(bare)
             return tuple((kind, (scene.layout.ids[i],)) for i in range(scene.n) if weights[i] > 0)
     return ()
+
+
+def _recalls(tree: Phrase) -> bool:
+    """Whether a text speaks of what was handled before."""
+    return any(is_surely_recalled(read_noun(phrase)) for phrase in tree.preorder() if phrase.tag == "NP")
 
 
 def _asks(tree: Phrase) -> bool:

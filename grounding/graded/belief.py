@@ -28,7 +28,7 @@ ADDRESSED = 0.92
 """The same where the robot is spoken to as "you": who measures from it also sees from it."""
 ONESELF = 0.5
 """The same where only the speaker is named."""
-BURIED = 0.1  # what carries something is less likely to be handled
+BURIED = 0.3  # what carries something is less likely to be handled
 _ALONG = frozenset("behind row column line first second third fourth fifth last".split())
 
 Option = tuple[str, tuple[str, ...]]

@@ -12,6 +12,7 @@ OTHER_KIND = 0.15  # who says "the other one" without a colour mostly means anot
 _HANDLED = frozenset("moved placed put set stacked picked touched handled taken took grabbed lifted shifted dropped "
                      "used moving positioned".split())  # fmt: skip
 _RECENT = frozenset("just you last before earlier previously recently already".split())
+_PAST = _RECENT - {"you"}
 _SAME = frozenset("same previous previously".split())
 _POINTING = frozenset("that this those these said".split())
 _THINGS = ("block", "container", "place", "table")
@@ -22,10 +23,21 @@ def is_recalled(noun: Noun) -> bool:
     """Whether a noun phrase means what was handled before."""
     if noun.head != "block" or noun.plural or noun.other:
         return False
-    if _SAME & set(noun.unknown) or any(_tells_of_handling(modifier) for modifier in noun.modifiers):
+    if _SAME & set(noun.unknown) or tells_of_handling(noun):
         return True
     told = (noun.colors, noun.modifiers, noun.directions, noun.ordinals, noun.distance, noun.middle, noun.lone)
     return noun.text.split(" ", 1)[0] in _POINTING and not any(told)
+
+
+def tells_of_handling(noun: Noun) -> bool:
+    """Whether a noun phrase says that its object was handled: "the block you just moved"."""
+    return noun.head == "block" and any(_tells_of_handling(modifier) for modifier in noun.modifiers)
+
+
+def is_surely_recalled(noun: Noun) -> bool:
+    """Whether a noun phrase can mean nothing else than what was handled: "the block you just moved"."""
+    texts = {leaf.text for modifier in noun.modifiers for leaf in modifier.leaves}
+    return tells_of_handling(noun) and bool(_PAST & texts)
 
 
 def _tells_of_handling(phrase: Phrase) -> bool:
@@ -43,11 +55,12 @@ def latest(history: tuple[int, ...], base: Array) -> Array:
     """The object that was handled last among those that a noun's own words allow, weights (n,).
 
     Args:
-        history: indices, the latest last; at least one.
+        history: indices, the latest last.
         base: how well every object agrees with the noun's words, shape (n,).
     """
     weights = np.zeros(len(base))
-    weights[next((i for i in reversed(history) if base[i] > 0), history[-1])] = 1.0
+    if history:
+        weights[next((i for i in reversed(history) if base[i] > 0), history[-1])] = 1.0
     return weights
 
 

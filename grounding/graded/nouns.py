@@ -296,6 +296,8 @@ class _Reading:
                 said["place"] == "corner" or not self.directions
             ):
                 self.directions.append(deep)  # "the far right corner", "the near edge"
+        if head == "block" and self.away and not (self.directions or said.get("distance")):
+            said["distance"] = "far"  # "the far one"
         if head == "other" and said.get("agent"):
             head = "agent"
         if head == "block" and isinstance(number, int) and number > 1:

@@ -14,6 +14,8 @@ from grounding.graded.values import Restriction, Value
 if TYPE_CHECKING:
     from grounding.graded.reader import Reader
 
+_RIMS = frozenset("corner corners edge edges end ends border boundary".split())
+
 
 def read_place(reader: Reader, noun: Noun) -> Value:
     """What a noun whose head names a place is worth: a place, or the objects at the end of something."""
@@ -28,7 +30,7 @@ def read_place(reader: Reader, noun: Noun) -> Value:
     if whole is not None and whole.place is not None and whole.kind == "place":  # "the middle of the left edge"
         names += [name for name in whole.place.names if name not in names]
     place = make_place(scene, names, noun.agent or reader.view, middle=noun.middle, corner=noun.place == "corner",
-                       bare=noun.place is None)  # fmt: skip
+                       bare=noun.place is None, rim=not _RIMS.isdisjoint(noun.text.split()))  # fmt: skip
     if whole is not None and whole.kind in ("sets", "objects") and whole.weights.any():
         return part_of(scene, place, whole)
     weights = in_place(scene, place, np.ones(scene.n))

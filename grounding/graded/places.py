@@ -14,12 +14,14 @@ from grounding.world import Array
 
 
 def make_place(
-    scene: Scene, names: Iterable[str], owner: str, *, middle: bool = False, corner: bool = False, bare: bool = False
-) -> Place:
-    """A place from the names of directions as somebody sees them."""
+    scene: Scene, names: Iterable[str], owner: str, *, middle: bool = False, corner: bool = False, bare: bool = False,
+    rim: bool = False,
+) -> Place:  # fmt: skip
+    """A place from the names of directions as somebody sees them; `rim` for edges, ends and corners."""
     names = tuple(names)
     vectors = tuple(scene.direction(name, owner) for name in w.flat(names))
-    return Place(vectors, names, middle, corner or len(vectors) > 1, bare, owner=owner)
+    return Place(vectors, names, middle, corner or len(vectors) > 1, bare, owner=owner,
+                 outer=rim and not (vectors or middle))  # fmt: skip
 
 
 def closeness(scene: Scene, place: Place) -> Array:
@@ -38,6 +40,10 @@ def in_place(scene: Scene, place: Place, base: Array) -> Array:
     if not scene.n:
         return np.zeros(0)
     compared = base > 0.5
+    if place.outer:
+        away = _from_outside(scene, corner=place.corner)
+        best = float(away[compared].min(initial=9.0))
+        return np.asarray(np.exp(-0.5 * (away / 0.5) ** 2) * np.exp(-2.5 * (away - best).clip(0)))
     if not place.directions:
         away = np.linalg.norm(scene.scaled, axis=1)
         best = float(away[compared].min(initial=9.0))
@@ -57,6 +63,12 @@ def in_place(scene: Scene, place: Place, base: Array) -> Array:
     return scores.side(along, along[compared])
 
 
+def _from_outside(scene: Scene, *, corner: bool) -> Array:
+    """How far every object is from the nearest corner or edge, whichever, shape (n,) in half extents."""
+    inside = np.maximum(1.0 - np.abs(scene.scaled), 0.0)
+    return np.asarray(np.linalg.norm(inside, axis=1) if corner else inside.min(axis=1))
+
+
 def located(scene: Scene, value: Value, base: Array) -> list[Effect]:
     """The restriction to the place of a value; nothing where it has none."""
     return [] if value.place is None else [Restriction(in_place(scene, value.place, base))]
@@ -68,14 +80,23 @@ def part_of(scene: Scene, place: Place, whole: Value) -> Value:
     for mask, chance in (whole.sets or ((whole.weights > 0.5 * whole.weights.max(), 1.0),))[:SETS]:
         pool = mask.astype(float)
         upright = bool(scene.stacked[mask].all()) if mask.any() else False
-        if upright and ("up" in place.names or "down" in place.names):
-            key = scene.z if "up" in place.names else -scene.z
-            total += chance * scores.ranked(pool, key, 1, 0.3 * scene.edge)
+        if upright and place.upright:
+            total += chance * scores.ranked(pool, place.upright * scene.z, 1, 0.3 * scene.edge)
+        elif place.outer and mask.any():
+            total += chance * scores.ranked(pool, np.abs(_along(scene, pool)), 1, 0.3 * scene.edge)
         elif place.middle and not place.directions:
             total += chance * middle_one(scene, pool, chosen=True)
         else:
             total += chance * scores.ranked(pool, closeness(scene, place), 1, 0.3 * scene.edge)
     return Value("objects", total, place=place)
+
+
+def _along(scene: Scene, pool: Array) -> Array:
+    """How far every object is from the middle of a pool along its longer side, shape (n,) in [m]."""
+    points = scene.xy[pool > 0.3 * pool.max()]
+    centre = (points.min(axis=0) + points.max(axis=0)) / 2
+    axis = np.linalg.svd(points - points.mean(axis=0), full_matrices=False)[2][0]
+    return np.asarray((scene.xy - centre) @ axis)
 
 
 def middle_one(scene: Scene, pool: Array, *, chosen: bool) -> Array:

@@ -48,7 +48,7 @@ class Reader:
     def noun(self, noun: Noun) -> Value:
         """What a noun that was read is worth."""
         n = self.scene.n
-        if self.history and past.is_recalled(noun):
+        if past.is_recalled(noun) and (self.history or past.is_surely_recalled(noun)):
             return Value("objects", past.latest(self.history, colored(self.scene, noun.colors)))
         if noun.conjoined:
             return self._conjoined(noun)

@@ -42,7 +42,8 @@ def choose(
     for rank in ranks:
         index = rank.ordinal or (ordinals.pop(0) if ordinals else 1)
         noise = rank.noise * (scale if index == 1 else 1.0)
-        part = scores.ranked(pool, rank.key, index, noise)
+        key = rank.height * scene.z if in_stack and rank.height else rank.key
+        part = scores.ranked(pool, key, index, noise)
         weights = weights * part if len(ranks) > 1 else part
     if noun.middle and not noun.directions:
         weights = middle_one(scene, weights, chosen=chosen)

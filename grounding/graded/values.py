@@ -22,8 +22,8 @@ class Place:
         middle: whether it is the middle, along what the directions leave free.
         corner: whether a corner is meant.
         bare: whether only directions were named ("the left"), without a noun of place.
-        up: 1 for the top, -1 for the bottom, by height; 0 where height plays no part.
         owner: whose side it is, or None.
+        outer: whether it is any corner, edge or end, as no direction was named.
     """
 
     directions: tuple[Array, ...] = ()
@@ -31,8 +31,13 @@ class Place:
     middle: bool = False
     corner: bool = False
     bare: bool = False
-    up: int = 0
     owner: str | None = None
+    outer: bool = False
+
+    @property
+    def upright(self) -> int:
+        """Where it is in a stack: 1 for its top, -1 for its bottom, 0 for neither."""
+        return 1 if "up" in self.names else -1 if "down" in self.names else 0
 
 
 @dataclass(frozen=True, eq=False)
@@ -94,11 +99,13 @@ class Rank:
         key: shape (n,).
         ordinal: the rank asked for, or None where the noun may have one.
         noise: differences of the key that are hard to see.
+        height: what orders within a stack instead: 1 from its top, -1 from its bottom, 0 for the key.
     """
 
     key: Array
     ordinal: int | None
     noise: float
+    height: int = 0
 
 
 Effect = Restriction | Membership | Rank

@@ -7,10 +7,11 @@ from typing import TYPE_CHECKING
 
 from grounding.graded.nouns import Noun
 from grounding.graded.people import distance_from
+from grounding.graded.place_phrases import whole_of
 from grounding.graded.places import closeness
 from grounding.graded.relations import distance_to
 from grounding.graded.scene import ROBOT
-from grounding.graded.values import Effect, Rank
+from grounding.graded.values import Effect, Membership, Rank
 
 if TYPE_CHECKING:
     from grounding.graded.reader import Reader
@@ -48,9 +49,13 @@ def counted_from(reader: Reader, noun: Noun, ordinal: int | None) -> list[Effect
         noun = replace(noun, head="place")  # "third from the bottom block"
     value = reader.noun(noun)
     if value.kind == "place" and value.place is not None:
-        return [Rank(closeness(scene, value.place), ordinal, noise)]
+        return [Rank(closeness(scene, value.place), ordinal, noise, height=value.place.upright)]
     if value.kind == "agent":
         return [Rank(-distance_from(scene, value.agent or ROBOT), ordinal, noise)]
+    whole = whole_of(reader, noun) if noun.head == "place" else None
+    if whole is not None and whole.kind == "sets" and whole.sets and value.place is not None:
+        rank = Rank(closeness(scene, value.place), ordinal, noise, height=value.place.upright)
+        return [Membership(whole.sets, whole.kinds), rank]
     if value.kind == "objects" and value.place is not None and value.weights.any():
         return [Rank(-distance_to(scene, value), ordinal, noise)]
     return []
