@@ -40,7 +40,9 @@ def read_place(reader: Reader, noun: Noun) -> Value:
 
 
 def whole_of(reader: Reader, noun: Noun) -> Value | None:
-    """What a place is a part of: "of the row"."""
+    """What a place is a part of: "of the row", "its left"."""
+    if reader.context is not None and noun.text.split(" ", 1)[0] == "its":
+        return Value("objects", reader.context)
     for modifier in noun.modifiers:
         if modifier.tag == "PP" and [word.text for word in modifier.words][-1:] in (["of"], ["in"], ["from"]):
             for child in modifier.phrases:

@@ -33,6 +33,15 @@ _MOST_SKIPPED = 3
 _SKIPPED = -12.0
 """Log probability of a word that has no place in its sentence."""
 _LEXICON = known_words()
+_COMMANDS = frozenset("take move put place pick set stack slide shift position grab lift push".split())
+_BARE = frozenset("take move put pick grab".split())
+_JOINING = frozenset("and then or to".split())
+_CLAUSES = frozenset("if when while after before once as".split())
+_LEADING = frozenset("and then or to you i we can should will must please the a of on in not now".split())
+_PREPOSITIONS = frozenset("in on at of from near to with by for".split())
+_BEING = frozenset("is are there 's".split())
+_LONG = 5  # words, after which a command that follows a comma is a sentence of its own
+_THERE = 4  # words that "there are two blocks" has
 
 Choice = tuple[str, str, str, float]
 """A word as it may be read, its tag, its label, and log P(word | tag, label)."""
@@ -180,12 +189,35 @@ class Parser:
 def split_sentences(tokens: Sequence[Token]) -> tuple[tuple[Token, ...], ...]:
     """The words of each sentence, without punctuation; sentences without words are left out."""
     sentences: list[list[Token]] = [[]]
+    parted = False
     for token in tokens:
+        if sentences[-1] and _begins(token, sentences[-1], parted):
+            sentences.append([])
+        parted = token.text == ","
         if token.ends_sentence:
             sentences.append([])
         elif token.is_word:
             sentences[-1].append(token)
     return tuple(tuple(sentence) for sentence in sentences if sentence)
+
+
+def _begins(token: Token, before: Sequence[Token], parted: bool) -> bool:
+    """Whether a command begins though no mark ends the sentence before it.
+
+    Args:
+        token: the next word.
+        before: the words of the sentence so far, at least one.
+        parted: whether a comma stands between.
+    """
+    if token.text not in _COMMANDS:
+        return False
+    if token.original.istitle() and before[-1].original.islower():
+        return True  # "... on the left Take the"
+    texts = {word.text for word in before}
+    if parted and (before[0].text not in _PREPOSITIONS or texts & _BEING):
+        return before[-1].text not in _JOINING and (before[0].text not in _COMMANDS | _CLAUSES or len(before) > _LONG)
+    there = before[0].text in ("there", "here") and len(before) > _THERE
+    return there and token.text in _BARE and before[-1].text not in _LEADING
 
 
 def _mended(tokens: Sequence[Token], tree: Phrase) -> tuple[tuple[str, str], ...]:
