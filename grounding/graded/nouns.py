@@ -163,6 +163,7 @@ class _Reading:
         self.heads: list[str] = []
         self.stacked = False
         self.away = False
+        self.far = False
         self.counts: list[int] = []
         self.count: int | None = None
         self.counted: list[tuple[int | None, str]] = []
@@ -254,7 +255,8 @@ class _Reading:
         if w.agent(text):
             self.said["agent"] = w.agent(text)
             return
-        self.away |= text == "far"
+        self.away |= text in ("far", "very", "extreme")
+        self.far |= text == "far"
         distance = w.distance(text)
         if distance and (w.is_ranking(text) or not self.said.get("distance")):
             if w.is_ranking(text) or distance == "near":
@@ -285,6 +287,8 @@ class _Reading:
             said.pop("number")
             if head == "other":
                 head = "block"
+        if head == "other" and self.directions and said.get("distance") == "far" and not (self.colors or self.ordinals):
+            head = "place"  # "the furthest left"
         if head == "other" and (self.colors or self.ordinals or said.get("number") or said.get("lone")
                                 or said.get("distance") or said.get("universal") or said.get("other")):  # fmt: skip
             head = "block"
@@ -296,8 +300,12 @@ class _Reading:
                 said["place"] == "corner" or not self.directions
             ):
                 self.directions.append(deep)  # "the far right corner", "the near edge"
-        if head == "block" and self.away and not (self.directions or said.get("distance")):
+        if head == "block" and self.far and not (self.directions or said.get("distance")):
             said["distance"] = "far"  # "the far one"
+        if head == "table" and said.get("middle"):
+            head = "place"  # "the table center"
+        if head == "place" and self.away and self.directions and said.get("place") != "corner":
+            said["distance"] = "far"  # "the far left of the table" is as far left as anything is
         if head == "other" and said.get("agent"):
             head = "agent"
         if head == "block" and isinstance(number, int) and number > 1:

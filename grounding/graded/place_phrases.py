@@ -42,7 +42,9 @@ def read_place(reader: Reader, noun: Noun) -> Value:
 
 
 def whole_of(reader: Reader, noun: Noun) -> Value | None:
-    """What a place is a part of: "of the row"."""
+    """What a place is a part of: "of the row", "its left"."""
+    if reader.context is not None and noun.text.split(" ", 1)[0] == "its":
+        return Value("objects", reader.context)
     whole = noun_of_whole(noun)
     return None if whole is None else reader.noun(whole)
 

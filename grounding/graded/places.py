@@ -12,6 +12,8 @@ from grounding.graded.scene import Scene
 from grounding.graded.values import SETS, Effect, Place, Restriction, Value
 from grounding.world import Array
 
+_WIDE = 0.5  # distances from the middle of a table count so much as those between blocks
+
 
 def make_place(
     scene: Scene, names: Iterable[str], owner: str, *, middle: bool = False, corner: bool = False, bare: bool = False,
@@ -27,12 +29,14 @@ def make_place(
 def closeness(scene: Scene, place: Place) -> Array:
     """How near every object is to a place, in [m], negative distances; larger is nearer."""
     if not place.directions:
-        return np.asarray(-np.linalg.norm(scene.xy - scene.box[0], axis=1))
+        return np.asarray(-np.linalg.norm(scene.seen, axis=1))
     if len(place.directions) == 1 and not place.middle:
         return np.asarray(scene.xy @ place.directions[0])
     centre, half = scene.box
-    target = centre + sum(place.directions) * half
-    return np.asarray(-np.linalg.norm(scene.xy - target, axis=1))
+    target = np.sum(place.directions, axis=0) * half
+    if place.middle:
+        return np.asarray(-np.linalg.norm(scene.seen - target, axis=1))
+    return np.asarray(-np.linalg.norm(scene.xy - centre - target, axis=1))
 
 
 def in_place(scene: Scene, place: Place, base: Array) -> Array:
@@ -67,6 +71,14 @@ def _from_outside(scene: Scene, *, corner: bool) -> Array:
     """How far every object is from the nearest corner or edge, whichever, shape (n,) in half extents."""
     inside = np.maximum(1.0 - np.abs(scene.scaled), 0.0)
     return np.asarray(np.linalg.norm(inside, axis=1) if corner else inside.min(axis=1))
+
+
+def off_middle(scene: Scene, names: tuple[str, ...], owner: str, strict: bool) -> Array:
+    """How well every object lies in a direction from the middle, shape (n,): "just southwest of the center"."""
+    direction = np.sum([scene.direction(name, owner) for name in w.flat(names)], axis=0)
+    length = max(float(np.linalg.norm(direction)), 1e-9)
+    gap = _WIDE * np.linalg.norm(scene.seen, axis=1)
+    return scores.directed(scene.seen, gap, direction / length, scene.edge, strict=strict)
 
 
 def located(scene: Scene, value: Value, base: Array) -> list[Effect]:
@@ -123,5 +135,5 @@ def middle_one(scene: Scene, pool: Array, *, chosen: bool) -> Array:
         by_rank[middle] = pool[middle] / len(middle)
     if chosen:
         return np.asarray(0.5 * by_centre + 0.5 * by_rank)
-    of_all = scores.ranked(pool, -np.linalg.norm(scene.xy - scene.box[0], axis=1), 1, noise)
+    of_all = scores.ranked(pool, -np.linalg.norm(scene.seen, axis=1), 1, noise)
     return np.asarray(0.4 * by_centre + 0.3 * by_rank + 0.3 * of_all)

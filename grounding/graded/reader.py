@@ -33,6 +33,9 @@ class Reader:
         view: whose left is meant where nobody is named.
         history: indices of the objects handled before, the latest last.
         context: what was spoken of before, weights (n,), or None.
+
+    Attributes:
+        several: whether what was spoken of before are several.
     """
 
     def __init__(self, scene: Scene, view: str = ROBOT, history: tuple[int, ...] = (), context: Array | None = None):
@@ -40,6 +43,7 @@ class Reader:
         self.view = view
         self.history = history
         self.context = context
+        self.several = False
 
     def value(self, phrase: Phrase) -> Value:
         """What a noun phrase is worth."""
@@ -102,6 +106,9 @@ class Reader:
     def _objects(self, noun: Noun) -> Value:
         if noun.head == "other" and not (noun.modifiers or noun.colors):
             return Value("nothing", np.zeros(self.scene.n))
+        if self.several and self.context is not None and _points_back(noun):
+            inside = self.context > 0.3 * scores.peak(self.context)
+            return Value("sets", self.context, ((inside, 1.0),), number=noun.number)
         return self.chosen(noun, colored(self.scene, noun.colors) * (STRANGE if noun.strange else 1.0))
 
     def _unspoken(self, noun: Noun) -> Array | None:
@@ -145,6 +152,12 @@ def _pairs(one: Array, other: Array) -> tuple[tuple[np.ndarray, float], ...]:
             mask[[i, j]] = True
             found.append((mask, weight))
     return tuple(found)
+
+
+def _points_back(noun: Noun) -> bool:
+    """Whether a plural tells nothing but how many: "the two", "these four blocks"."""
+    told = (noun.colors, noun.modifiers, noun.directions, noun.ordinals, noun.distance, noun.middle, noun.lone)
+    return noun.plural and noun.definite and not any(told) and not noun.conjoined
 
 
 def _has_noun(phrase: Phrase) -> bool:

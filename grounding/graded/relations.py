@@ -85,7 +85,7 @@ def measured(
         for count, likely in ((steps, 0.8), (steps + 1, 1.0)):
             target = start + vector * count * _PITCH * scene.edge
             away = np.linalg.norm(scene.xy - target, axis=1) / scene.edge
-            held = np.exp(-0.5 * (away / (0.7 + 0.25 * steps)) ** 2)
+            held = np.exp(-0.5 * (away / (0.6 + 0.2 * steps)) ** 2)
             total = np.maximum(total, chance * likely * held)
         if share:
             counted = counted + chance * (1 - counted) * _counted_off(scene, start, vector, int(steps))

@@ -19,6 +19,8 @@ BURIED = 0.1
 """What carries something is less likely spoken of."""
 STACKED = 0.35
 """Who means the top of a stack mostly says so."""
+SLANT = 0.15
+"""The middle of a table that is seen from one side lies, in the picture, so much nearer than its own [half extents]."""
 VERTICAL = {"up": 1.0, "down": -1.0}
 
 
@@ -63,7 +65,25 @@ class Scene:
     def scaled(self) -> Array:
         """Positions within the box, shape (n, 2): -1 and 1 are its edges."""
         centre, half = self.box
-        return np.asarray((self.xy - centre) / half)
+        scaled = (self.xy - centre) / half
+        if self.on_table:
+            ahead = self.direction("back")
+            along = scaled @ ahead
+            seen = (along + SLANT) / (1.0 + SLANT * along)
+            scaled = scaled + (seen - along)[:, None] * ahead
+        return np.asarray(scaled)
+
+    @lazy
+    def on_table(self) -> bool:
+        """Whether the box is the table's."""
+        half = self.box[1]
+        tables = (item for item in self.layout.world.objects if item.type == "table")
+        return any(np.array_equal(half, item.half_extents[:2]) for item in tables)
+
+    @lazy
+    def seen(self) -> Array:
+        """Positions within the box as a picture shows them, in metres from its centre, shape (n, 2)."""
+        return np.asarray(self.scaled * self.box[1])
 
     @lazy
     def apart(self) -> Array:

@@ -17,6 +17,9 @@ from grounding.world import Array
 FAINT = scores.FLOOR * scores.FLOOR
 """What lies outside a set from which is chosen."""
 
+_LONELY = 0.3  # a first or last one needs others behind or before it
+_ALIKE = 0.4  # who names one of a set without telling which mostly means a set of one
+
 
 @dataclass(frozen=True, eq=False)
 class _Sorted:
@@ -63,8 +66,8 @@ def select(
     pools = []
     for member, chance in choices:
         pool = weights * np.where(member > 0, 1.0, FAINT)
-        if noun.only and chosen:
-            chance *= float(np.exp(-1.2 * abs(int((pool > 0.3).sum()) - 1)))
+        if chosen:
+            chance *= _presupposed(noun, int((pool > 0.3).sum()), ranked=bool(said.ranks))
         pools.append((pool, chance))
     if noun.plural:
         return _plural(scene, view, noun, pools, said.ranks)
@@ -75,6 +78,16 @@ def select(
     total = total / max(1.0, sum(chance for _, chance in choices))
     ranking = bool(said.ranks or noun.ordinals or noun.distance or noun.directions)
     return Value("objects", total * said.preference ** (0.15 if ranking else 1.0), definite=noun.definite)
+
+
+def _presupposed(noun: Noun, count: int, *, ranked: bool) -> float:
+    """How well a set of so many members fits a noun that chooses among them: "the block in the row" is its only one."""
+    if noun.only:
+        return float(np.exp(-1.2 * abs(count - 1)))
+    if noun.ordinals and count < 2:
+        return _LONELY
+    telling = ranked or noun.ordinals or noun.distance or noun.directions or noun.middle or noun.size or noun.plural
+    return 1.0 if telling or not noun.definite else float(np.exp(-_ALIKE * min(max(count - 1, 0), 4)))
 
 
 def _sort(scene: Scene, noun: Noun, base: Array, effects: list[Effect]) -> _Sorted:

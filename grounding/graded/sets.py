@@ -11,7 +11,8 @@ from grounding.graded.scene import Scene
 Sets = list[tuple[np.ndarray, float]]
 
 _MOST = 12
-GAPS = (0.35, 0.6, 0.9, 1.4)  # that part two bands [edges]
+LEAST = 0.04  # who counts more than stand out means the next ones too, where they fit at least so well
+GAPS = (0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.95, 1.3)  # that part two bands [edges]
 
 
 def arranged(scene: Scene, kinds: tuple[str, ...], wanted: np.ndarray, number: int | None) -> Sets:
@@ -168,5 +169,9 @@ def collected(scene: Scene, weights: np.ndarray, number: int | None, universal: 
         chosen, following = float(weights[order].mean()), float(np.sort(weights)[::-1][number])
         found.append((mask, max(0.15 * chosen, chosen - following)))
     else:
-        found.append((likely, 0.1))
+        order = np.argsort(-weights, kind="stable")[:number]
+        mask = np.zeros(scene.n, dtype=bool)
+        mask[order] = True
+        share = float(weights[order].min()) / float(weights.max())
+        found.append((mask, math.sqrt(share)) if len(order) == number and share > LEAST else (likely, 0.1))
     return sorted(found, key=lambda item: -item[1])[:_MOST]

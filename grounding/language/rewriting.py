@@ -54,6 +54,8 @@ _AFTER_IS = frozenset(
     "next on in at by above below behind between the a closest nearest farthest furthest touching not directly just "
     "slightly located sitting adjacent".split()
 )
+_BEFORE_OWN = frozenset("to on at of from with".split())
+_OWNED = frozenset("left right top bottom front back upper lower own side edge immediate".split())
 # A word that is another's misspelling between certain neighbours: (words before, word, words after, as read).
 _CONFUSED = (
     (_PUT, "in", _WHERE, "it"),
@@ -86,8 +88,17 @@ def rewrite(tokens: Sequence[Token], is_known: Callable[[str], bool]) -> tuple[T
             first, second = _REPAIRED[pair]
             written += [replace(token, text=first), replace(after, text=second)]
             index += 2
+        elif length := _all_the_way(apart, index):
+            way = token
+            for part in apart[index + 1 : index + length]:
+                way = _join(way, part, "furthest")
+            written.append(way)
+            index += length
         elif after and pair[0] == pair[1] and pair[0] in _NEVER_TWICE:
             written.append(_join(token, after, token.text))
+            index += 2
+        elif after and pair == ("it", "'s") and written and written[-1].text in _BEFORE_OWN and following in _OWNED:
+            written.append(_join(token, after, "its"))
             index += 2
         elif token.text == "its" and pair[1] in _AFTER_IS:
             written += _cut(token, ("it", "'s"), 0)
@@ -102,6 +113,16 @@ def rewrite(tokens: Sequence[Token], is_known: Callable[[str], bool]) -> tuple[T
             written.append(replace(token, text=_READ_AS[token.text]) if token.text in _READ_AS else token)
             index += 1
     return tuple(written)
+
+
+def _all_the_way(tokens: Sequence[Token], index: int) -> int:
+    """How many tokens "all the way" has where a side follows it: what is all the way on the left is furthest left."""
+    texts = [token.text for token in tokens[index : index + 4]]
+    for phrase in (["all", "the", "way"], ["all", "of", "the", "way"]):
+        following = [token.text for token in tokens[index + len(phrase) : index + len(phrase) + 2]]
+        if texts[: len(phrase)] == phrase and following[:1] and following[0] in ("to", "on", "at", "in"):
+            return len(phrase)
+    return 0
 
 
 def _by_neighbours(tokens: Sequence[Token], index: int) -> Token:

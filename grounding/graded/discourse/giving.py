@@ -6,53 +6,112 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from grounding.graded.discourse.parts import Parts
-from grounding.graded.discourse.verbs import GAINING, LOSING, MAKING
+from grounding.graded.discourse.told import is_informative
+from grounding.graded.discourse.verbs import BEING, COMING, GAINING, JOINED, LOSING, MAKING, PARTING
 from grounding.graded.nouns import Noun, read_noun
+from grounding.graded.words import directions
 from grounding.language.tree import Phrase, Word
 
-_BRINGING = frozenset("from using moving taking placing stacking putting adding by".split())
+_FROM = frozenset(("from",))
+_BRINGING = frozenset("using moving taking placing stacking putting adding by courtesy".split())
+_BEGINNING = frozenset("from using by with coming taking courtesy".split())
 _THINGS = ("block", "container", "place")
+_WHOLES = frozenset("tower row column group".split())
+_OWN = frozenset("its one their".split())
 
 
-def given(verbs: list[str], parts: Parts, subjects: Sequence[Noun]) -> Noun | None:
+def given(verbs: list[str], parts: Parts, subjects: Sequence[Noun], nouns: Sequence[Noun] = ()) -> Noun | None:
     """What is moved where the subject only gives or gets it; None where it does neither.
 
     Args:
         verbs: of the clause.
         parts: of the clause.
         subjects: its subjects that name something, read.
+        nouns: its objects, read.
     """
-    if any(v in MAKING for v in verbs) and not any(s.head == "block" for s in subjects):
+    said = set(verbs)
+    made = bool(said & MAKING) or bool(subjects and not subjects[0].definite and "forms" in said)
+    if made and not any(s.head == "block" for s in subjects):
         return _brought(*parts.objects, *parts.rest)
     if not subjects:
         return None
     subject = subjects[0]
-    if any(v in LOSING for v in verbs):
-        of_it = Phrase("PP", (Word("of", "IN", 0), parts.named[0]))
-        return replace(subject, head="block", kinds=(), directions=("up",), number=None, ordinals=(), distance=None,
-                       size=0, middle=False, colors=(), modifiers=(of_it,))  # fmt: skip
-    if any(v in GAINING for v in verbs) and subject.head in ("block", "container"):
-        return _brought(*parts.objects, *parts.rest)
-    return None
+    if said & LOSING or ("tower" in subject.kinds and said & PARTING and _speaks_of_parts(parts)):
+        return _part_of(subject, parts, nouns)
+    following = {word.text for phrase in parts.rest[:1] for word in phrase.words}
+    joined = bool(said & BEING) and bool(JOINED & (said | following))
+    gains = bool(said & GAINING) and (subject.head in ("block", "container") or subject.place is not None)
+    comes = bool(said & COMING) and (subject.head == "pronoun" or not is_informative(subject))
+    return _brought(*parts.objects, *parts.rest) if joined or gains or comes else None
 
 
 def gained(verbs: list[str], parts: Parts) -> list[Phrase]:
-    """Where to, where somebody gives or receives: onto what gains it, or as a further clause tells."""
+    """Where to, where somebody gives or receives: beside or onto what gains it, or as a further clause tells."""
     clauses = [p for phrase in (*parts.objects, *parts.rest) for p in phrase.preorder() if p.tag == "SBAR"][:1]
     subjects = parts.named
     if any(v in LOSING for v in verbs) or not subjects or not any(v in GAINING for v in verbs):
         return clauses
-    where = [p for p in parts.rest if p.tag == "PP" and p.leaves[0].text not in ("from", "using", "by", "with")]
-    return [Phrase("PP", (Word("on", "IN", 0), subjects[0])), *where, *clauses]
+    told = [m for p in parts.objects[:1] for m in read_noun(p).modifiers if m.tag == "PP"]
+    where = [p for p in (*told, *parts.rest) if p.tag == "PP" and not _BEGINNING & {w.text for w in p.leaves[:2]}]
+    sided = any(directions(leaf.text) for p in where for leaf in p.leaves)
+    onto = [] if sided else [Phrase("PP", (Word("on", "IN", 0), subjects[0]))]
+    return [*onto, *(_of_owner(p, subjects[0]) for p in where), *clauses]
+
+
+def _of_owner(phrase: Phrase, owner: Phrase) -> Phrase:
+    """A phrase with what "it" and "its" are: "to its left" is to the left of the owner."""
+    found: list[Phrase | Word] = []
+    for child in phrase.children:
+        if not isinstance(child, Phrase):
+            found.append(child)
+        elif child.tag == "NP" and child.text == "it":
+            found.append(owner)
+        elif child.tag == "NP" and child.words and child.words[0].text == "its":
+            side = Phrase("NP", (replace(child.words[0], text="the", tag="DT"), *child.children[1:]))
+            found.append(Phrase("NP", (side, Phrase("PP", (Word("of", "IN", 0), owner)))))
+        else:
+            found.append(_of_owner(child, owner))
+    bare = phrase.tag == "PP" and not any(p.tag == "NP" for p in phrase.preorder())
+    return Phrase(phrase.tag, (*found, owner)) if bare else Phrase(phrase.tag, tuple(found))
+
+
+def _speaks_of_parts(parts: Parts) -> bool:
+    """Whether a clause speaks of a part of its subject: "one of its boxes", "one piece"."""
+    first = (*parts.objects, *parts.rest[:1])
+    return any(leaf.text in _OWN for phrase in first for leaf in phrase.leaves[:3])
+
+
+def _part_of(subject: Noun, parts: Parts, nouns: Sequence[Noun]) -> Noun:
+    """The part of a whole that it gives away: the top, or what is named ("its middle piece")."""
+    of_it = Phrase("PP", (Word("of", "IN", 0), parts.named[0]))
+    named = nouns[0] if nouns and nouns[0].head == "block" and not nouns[0].plural else None
+    if named is not None and (named.directions or named.middle or named.distance or named.ordinals):
+        return replace(named, modifiers=(*named.modifiers, of_it), number=None)
+    if not _WHOLES & set(subject.kinds):
+        return replace(subject, head="block", plural=False)
+    return Noun("block", directions=("up",), modifiers=(of_it,), text=subject.text)
 
 
 def _brought(*phrases: Phrase) -> Noun | None:
     """What "by moving X", "using X", "coming from X" name."""
-    for phrase in phrases:
-        for part in phrase.preorder():
-            if part.tag in ("PP", "VP", "S") and any(word.text in _BRINGING for word in part.words):
-                inner = next((p for p in part.preorder() if p.tag == "NP" and read_noun(p).head in _THINGS), None)
-                if inner is not None:
-                    noun = read_noun(inner)
-                    return replace(noun, head="block") if noun.head == "place" else noun
+    found = [part for phrase in phrases for part in phrase.preorder() if part.tag in ("PP", "VP", "S")]
+    for words in (COMING, _FROM, _BRINGING):
+        for part in found:
+            if any(word.text in words for word in part.words) and (noun := _source(part)) is not None:
+                return noun
     return None
+
+
+def _source(part: Phrase) -> Noun | None:
+    """What a phrase says that something comes from: a thing, the top of a tower, what lies in a place."""
+    inner = next((p for p in part.preorder() if p.tag == "NP" and read_noun(p).head in _THINGS), None)
+    if inner is None:
+        way = next((p for p in part.phrases if any(directions(leaf.text) for leaf in p.leaves)), None)
+        return None if way is None else Noun("block", modifiers=(way,), text=way.text)
+    noun = read_noun(inner)
+    if noun.head == "container" and "tower" in noun.kinds and not noun.plural:
+        of_it = Phrase("PP", (Word("of", "IN", 0), inner))
+        return Noun("block", directions=("up",), modifiers=(of_it,), text=noun.text)
+    if noun.head == "place":
+        return Noun("block", modifiers=(Phrase("PP", (Word("at", "IN", 0), inner)),), text=noun.text)
+    return noun

@@ -6,18 +6,32 @@ A sentence is heard by readings in their order. Each says whether it is of its k
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from grounding.graded.destinations.items import peeled
 from grounding.graded.discourse.giving import gained, given
 from grounding.graded.discourse.parts import Parts, is_existential, parts_of
-from grounding.graded.discourse.told import Told, add, deny, is_informative, mention, state, take, with_further
-from grounding.graded.discourse.verbs import BEING, LOOKING, MOVED, ORDERING, is_verbal, kind_of
+from grounding.graded.discourse.told import Told, add, deny, is_informative, mention, one_of, state, take, with_further
+from grounding.graded.discourse.verbs import (
+    BEING,
+    COMING,
+    GAINING,
+    HANDLING,
+    JOINING,
+    LOOKING,
+    LOSING,
+    MOVED,
+    ORDERING,
+    PARTING,
+    is_verbal,
+    kind_of,
+)
 from grounding.graded.nouns import Noun, read_noun
 from grounding.graded.reader import Reader
 from grounding.language.tree import Phrase
 
 _BODY = frozenset("hand hands arm arms gripper fingers claw".split())
+_NAMING = frozenset("the that this these those its both".split())
 _NOT = frozenset(("not", "n't"))
 _LEADING = frozenset("to onto into toward towards over so until up down".split())
 
@@ -56,7 +70,7 @@ class Sentence:
 
 def read_sentence(clause: Phrase, reader: Reader, told: Told) -> None:
     """Hear what a clause tells."""
-    sentence = _read(clause)
+    sentence = _read(clause, reader, told)
     parts = sentence.parts
     if not any(is_verbal(text) for text in sentence.verbs) and told.target is not None and not parts.subjects:
         add(clause, reader, told)
@@ -67,15 +81,33 @@ def read_sentence(clause: Phrase, reader: Reader, told: Told) -> None:
     _only_names(sentence, reader, told)
 
 
-def _read(clause: Phrase) -> Sentence:
-    parts = parts_of(clause)
+def _read(clause: Phrase, reader: Reader, told: Told) -> Sentence:
+    parts = _chosen_from(parts_of(clause), reader, told)
     verbs = [word.text for word in parts.words]
     looking = any(verb in LOOKING for verb in verbs) or any(is_existential(p) for p in parts.subjects)
-    named = [read_noun(phrase) for phrase in parts.named]
-    subjects = [noun for noun in named if noun.head in ("block", "pronoun", "container")]
-    nouns = [read_noun(phrase) for phrase in parts.objects]
+    named = [one_of(read_noun(phrase), told) for phrase in parts.named]
+    subjects = [noun for noun in named if noun.head in ("block", "pronoun", "container") or _is_part(noun)]
+    nouns = [one_of(read_noun(phrase), told) for phrase in parts.objects]
     nouns = [noun for noun in nouns if noun.head != "other" or noun.colors or noun.modifiers]
     return Sentence(parts, verbs, kind_of(verbs, clause), looking, named, subjects, nouns)
+
+
+def _chosen_from(parts: Parts, reader: Reader, told: Told) -> Parts:
+    """A clause without what it says first that it chooses from: "of the three on the left, the nearest moves"."""
+    first = parts.before[0] if parts.before else None
+    if first is None or [word.text for word in first.words] != ["of"] or not (parts.subjects or parts.objects):
+        return parts
+    noun = read_noun(first.phrases[0]) if first.phrases and first.phrases[0].tag == "NP" else None
+    if noun is None or not (noun.plural or noun.head == "container"):
+        return parts
+    mention(noun, reader, told)
+    return replace(parts, before=parts.before[1:])
+
+
+def _is_part(noun: Noun) -> bool:
+    """Whether a place is a part of things, which is a thing itself: "the top of the tower"."""
+    owners = (p for m in noun.modifiers if [w.text for w in m.words] == ["of"] for p in m.phrases if p.tag == "NP")
+    return noun.head == "place" and any(read_noun(p).head in ("block", "container") for p in owners)
 
 
 def _moves_the_hand(sentence: Sentence, reader: Reader, told: Told) -> bool:
@@ -86,18 +118,32 @@ def _moves_the_hand(sentence: Sentence, reader: Reader, told: Told) -> bool:
 
 def _gives_or_gets(sentence: Sentence, reader: Reader, told: Told) -> bool:
     """For example "the tower loses its top block"."""
-    giver = given(sentence.verbs, sentence.parts, sentence.named)
+    giver = given(sentence.verbs, sentence.parts, sentence.named, sentence.nouns)
     if giver is None:
         return False
-    take(giver, reader, told)
+    whole = sentence.has(LOSING | PARTING) and not sentence.has(COMING)
+    take(giver, reader, told, None if whole or not sentence.named else reader.value_of(sentence.named[0]))
     told.kind = "place"
+    told.destination += gained(sentence.verbs, sentence.parts)
+    return True
+
+
+def _receives(sentence: Sentence, reader: Reader, told: Told) -> bool:
+    """For example "the tower takes a block just above it": where something new is to be, whatever it is."""
+    if not (sentence.subjects and sentence.nouns and sentence.has(GAINING)):
+        return False
+    subject, new = sentence.subjects[0], sentence.nouns[0]
+    if subject.head == "pronoun" or new.head != "block" or new.definite:
+        return False
+    told.kind = "place"
+    told.mentioned, told.plural = reader.value_of(subject), False
     told.destination += gained(sentence.verbs, sentence.parts)
     return True
 
 
 def _looks_at_subject(sentence: Sentence, reader: Reader, told: Told) -> bool:
     """For example "a red block is there"."""
-    named = [noun for noun in sentence.subjects if noun.head in ("block", "container") and is_informative(noun)]
+    named = [noun for noun in sentence.subjects if noun.head != "pronoun" and is_informative(noun)]
     if not (sentence.looking and named and all(noun.head == "pronoun" for noun in sentence.nouns)):
         return False
     mention(with_further(named[0], *sentence.parts.before), reader, told)
@@ -167,7 +213,9 @@ def _moves_by_itself(sentence: Sentence, reader: Reader, told: Told) -> bool:
     nouns = sentence.nouns
     if sentence.kind != "place" or not sentence.subjects:
         return False
-    if nouns and nouns[0].head == "block" and nouns[0].definite:
+    verb = next((text for text in sentence.verbs if text in HANDLING["place"]), "")
+    joins = sentence.subjects[0].head == "block" and verb in JOINING
+    if nouns and nouns[0].head == "block" and nouns[0].text.split(" ", 1)[0] in _NAMING and not joins:
         return False
     _move_subject(sentence, reader, told)
     return True
@@ -242,6 +290,7 @@ def _only_names(sentence: Sentence, reader: Reader, told: Told) -> None:
 _READINGS: tuple[Callable[[Sentence, Reader, Told], bool], ...] = (
     _moves_the_hand,
     _gives_or_gets,
+    _receives,
     _looks_at_subject,
     _looks_for,
     _looks_at_object,

@@ -58,19 +58,36 @@ def with_further(noun: Noun, *modifiers: Phrase) -> Noun:
     return replace(noun, modifiers=(*noun.modifiers, *modifiers))
 
 
-def take(noun: Noun, reader: Reader, told: Told) -> None:
-    """Something to be handled is named."""
+def one_of(noun: Noun, told: Told) -> Noun:
+    """A rank or side without a noun is one of those that were spoken of: "the lower", "the second"."""
+    bare = noun.head in ("place", "other") and noun.place is None
+    if told.mentioned is not None and told.plural and bare and (noun.directions or noun.middle or noun.ordinals):
+        return replace(noun, head="block")
+    return noun
+
+
+def take(noun: Noun, reader: Reader, told: Told, context: Array | None = None) -> None:
+    """Something to be handled is named.
+
+    Args:
+        noun: that names it.
+        reader: of the scene.
+        told: so far.
+        context: what "it" and "its" are within the noun, shape (n,), where that is not what was spoken of before.
+    """
     if noun.head == "pronoun" or (noun.head == "block" and not is_informative(noun) and not noun.plural):
         _take_again(noun, reader, told)
         return
-    reader.context = told.mentioned if told.mentioned is not None else told.target
+    before = told.mentioned if told.mentioned is not None else told.target
+    reader.context = before if context is None else context
+    reader.several = told.mentioned is not None and told.plural
     whole = told.kind == "clear" and noun.head in ("place", "table")
     value = reader.everything_in(noun) if whole else reader.noun(noun)
     if value.kind not in ("objects", "sets"):
         told.doubt += 1
         return
     weights = value.weights
-    if told.mentioned is not None and told.plural and noun.head == "block":
+    if told.mentioned is not None and told.plural and noun.head == "block" and context is None:
         inside = told.mentioned > 0.3 * scores.peak(told.mentioned)
         fainter = 1.0 if _excludes(noun) else _OUTSIDE
         weights = np.maximum(weights * np.where(inside, 1.0, fainter), reader.within(noun, told.mentioned))
@@ -103,6 +120,7 @@ def _agreed(held: Array) -> Array:
 def mention(noun: Noun, reader: Reader, told: Told) -> None:
     """Something is spoken of before it is said what to do."""
     reader.context = told.mentioned
+    reader.several = told.plural
     value = reader.noun(noun)
     if value.kind in ("objects", "sets") and value.weights.any():
         told.mentioned = value.weights / float(value.weights.max())
@@ -111,7 +129,7 @@ def mention(noun: Noun, reader: Reader, told: Told) -> None:
 
 def name(phrase: Phrase, reader: Reader, told: Told) -> None:
     """A noun phrase by itself names the target."""
-    noun = read_noun(phrase)
+    noun = one_of(read_noun(phrase), told)
     if noun.head == "other" and any(text in LOOKING for text in noun.unknown):
         inner = [p for m in noun.modifiers for p in m.phrases if p.tag == "NP"]
         if inner:

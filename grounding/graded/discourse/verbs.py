@@ -10,7 +10,9 @@ HANDLING = {
     "place": "place put set move stack lay drop position slide push shift moves slides shifts bring transfer relocate "
              "moved placed stacked put puts places sits goes joins jumps stacks becomes leaps hops drag pull travels "
              "creates forms falls drops returns needs mover relocates swaps switch offset joined go sit join "
-             "lands rests".split(),
+             "lands rests reposition repositions scoot scoots pushes pulls drags transfers heads shoots swings slips "
+             "descends rises climbs comes ascends nudge nudges hugs meets attaches connects fills add adds tuck tucks "
+             "tips".split(),
     "clear": "clear remove".split(),
 }  # fmt: skip
 SETTING_OFF = frozenset(
@@ -25,8 +27,13 @@ LOOKING = frozenset("look find locate see focus consider notice search narrow id
 BEING = frozenset("is are 's was were be being re".split())
 ORDERING = frozenset("should will must shall would needs ought".split())
 MOVED = frozenset("moved placed put stacked set shifted relocated positioned".split())
-LOSING = frozenset("loses lose lost drops".split())
-GAINING = frozenset("takes gains gets receives becomes grows adds acquires take gain become made formed".split())
+LOSING = frozenset("loses lose lost".split())
+PARTING = frozenset("takes moves drops puts gives sends moving".split())
+GAINING = frozenset("takes gains gets receives becomes grows adds acquires take gain become made formed sees".split())
+JOINED = frozenset("joined conjoined topped filled followed met capped crowned".split())
+COMING = frozenset("coming comes came".split())
+JOINING = frozenset("joins join joined touches meets hugs fills attaches connects leaps hops jumps swings approaches "
+                    "follows flanks".split())  # fmt: skip
 MAKING = frozenset("create make form build creating making forming".split())
 _WANTING = frozenset("want need reach like".split())
 

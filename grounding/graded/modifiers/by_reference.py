@@ -16,7 +16,7 @@ from grounding.graded.modifiers.heard import Heard
 from grounding.graded.nouns import Noun
 from grounding.graded.people import before, distance_from
 from grounding.graded.place_phrases import noun_of_whole
-from grounding.graded.places import located
+from grounding.graded.places import located, off_middle
 from grounding.graded.relations import along, distance_to, measured, near, vertical
 from grounding.graded.scene import ROBOT
 from grounding.graded.values import Effect, Membership, Rank, Restriction, Value
@@ -65,6 +65,8 @@ def _toward(reader: Reader, heard: Heard, noun: Noun, value: Value) -> list[Effe
         return [Restriction(measured(reader.scene, value, names, reader.view, heard.measure, counting=heard.counting))]
     if value.kind in _THINGS:
         return [along(reader.scene, value, names, reader.view, heard.strict)]
+    if value.place is not None and value.place.middle and not value.place.directions and value.kind == "place":
+        return [Restriction(off_middle(reader.scene, names, reader.view, heard.strict))]
     return None
 
 

@@ -37,7 +37,12 @@ def by_itself(reader: Reader, heard: Heard) -> list[Effect]:
         sign = 1.0 if said.distance == "near" else -1.0
         return [Rank(-sign * distance_from(scene, said.agent or ROBOT), heard.ordinal, 0.3 * scene.edge)]
     if said.directions:
+        if heard.measure is not None and reader.context is not None:  # "from two spaces below"
+            start = Value("objects", reader.context)
+            return [Restriction(measured(scene, start, said.directions, reader.view, heard.measure))]
         place = make_place(scene, said.directions, said.agent or reader.view, middle=said.middle, bare=True)
+        if heard.ordinal is not None or any(w.is_extreme(text) for text in heard.texts):  # "that is second highest"
+            return [Rank(closeness(scene, place), heard.ordinal, 0.3 * scene.edge)]
         return located(scene, Value("place", heard.base, place=place), heard.base)
     if said.middle:
         return [Restriction(in_place(scene, Place(middle=True), heard.base))]
@@ -83,7 +88,8 @@ def _far_from(reader: Reader, heard: Heard, noun: Noun) -> list[Effect] | None:
 
 def _all_the_way(reader: Reader, heard: Heard, noun: Noun) -> list[Effect] | None:
     """For example "all the way to the left", "far on the right"."""
-    if "way" not in heard.texts and not (heard.said.distance == "far" and noun.head == "place"):
+    far = "far" in (heard.said.distance, noun.distance) and noun.head == "place"
+    if "way" not in heard.texts and not far:
         return None
     value = reader.noun(noun)
     if value.place is None or value.kind != "place":

@@ -35,7 +35,7 @@ def relate(reader: Reader, phrase: Phrase, base: Array, further: tuple[str, ...]
     noun = heard.noun
     if heard.said.lone or (noun is not None and noun.lone and not noun.colors and not noun.modifiers):
         return [Restriction(lone(reader.scene, base))]
-    if noun is None:
+    if noun is None or (noun.head == "table" and (heard.said.directions or heard.said.distance)):
         return by_itself(reader, heard)
     for by_words in BY_WORDS:
         if (found := by_words(reader, heard, noun)) is not None:

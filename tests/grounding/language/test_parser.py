@@ -102,7 +102,7 @@ def test_sentences_are_parsed_each_for_itself() -> None:
     [
         ("there are two on the left - take the near one", [6, 4]), ("the top - left corner", [4]),
         ("here is a long row, take its last block", [5, 4]), ("on the left, take the red block", [7]),
-        ("take the one that is red, put it down", [9]), ("take the red block, put it down", [7]),
+        ("take the one that is red, put it down", [6, 3]), ("take the red block, put it down", [7]),
     ],
 )  # fmt: skip
 def test_dashes_and_commas_end_what_is_told_before_a_command(text, lengths):
