@@ -16,7 +16,8 @@ from grounding.numbers import listed, ranked, spelled
 
 _LOOKS = 0.35  # an arrangement that looks less like one than this is not spoken of
 _MOSTS = {"row": "longest", "column": "longest", "diagonal": "longest", "tower": "highest"}
-_NO_THINGS = frozenset("arm arms hand hands finger fingers gripper outside inside beginning rest bit".split())
+_NO_THINGS = frozenset("arm arms hand hands finger fingers gripper outside inside beginning rest bit we us i".split())
+_HEAPS = frozenset(("pile", "piles"))  # of blocks side by side, where nothing is stacked
 _THINGS = ("block", "container")
 
 
@@ -140,7 +141,8 @@ def _arrangement(noun: Noun, scene: Scene) -> str | None:
         stuff = np.array([item.color in colors or item.color == "unknown" for item in scene.layout.things])
     found = [mask for mask, weight in sets.arranged(scene, noun.kinds, stuff, None) if weight >= _LOOKS]
     kind = noun.kinds[0]
-    if kind == "tower" and not scene.towers and number is None:
+    heap = not _HEAPS.isdisjoint(noun.text.split())
+    if kind == "tower" and not scene.towers and number is None and not heap:
         return "there is no tower here"
     if kind == "tower":  # seen from above blocks side by side are called stacks as well
         found += [mask for mask, weight in sets.clusters(scene, stuff) if weight >= _LOOKS]

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
-GRADED_POWER = 1.0
+GRADED_POWER = 1.4
 GRADED_FLOOR = 0.002
 FACTOR_POWER = 0.4
 FACTOR_FLOOR = 0.05
