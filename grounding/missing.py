@@ -134,6 +134,8 @@ def _color(noun: Noun, layout: Layout) -> str | None:
 def _arrangement(noun: Noun, scene: Scene) -> str | None:
     if noun.head != "container" or noun.plural:
         return None
+    if noun.ordinals and {"row", "column"} & set(noun.kinds):
+        return None  # people count rows where nothing else looks like one
     number = noun.number or next((n.number for m in noun.modifiers if (n := _content(m)) is not None), None)
     stuff = np.ones(scene.n, dtype=bool)
     colors = noun.colors or next((n.colors for m in noun.modifiers if (n := _content(m)) is not None), ())

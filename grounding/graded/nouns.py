@@ -14,6 +14,9 @@ _INDEFINITE = frozenset("a an some any".split())
 _SKIPPED = frozenset("the that this these those of 's very really all and or is please your my its his her".split())
 
 
+_IN_TOWER = Phrase("PP", (Word("in", "IN", 0), Phrase("NP", (Word("a", "DT", 0), Word("tower", "NN", 0)))))
+
+
 @dataclass(frozen=True)
 class Noun:
     """What a noun phrase says.
@@ -319,6 +322,8 @@ class _Reading:
             head, kinds = "container", ("tower",)
             said["plural"] = False
         modifiers = (Phrase("PP", tuple(self.behind)),) if self.behind else ()
+        if head == "block" and self.stacked:
+            modifiers = (*modifiers, _IN_TOWER)  # "the stacked block"
         strange = self.named_strangely and not self.heads
         return Noun(head=head, kinds=kinds, modifiers=modifiers, strange=strange,
                     colors=tuple(self.colors), counted=tuple(self.counted),

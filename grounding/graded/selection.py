@@ -18,6 +18,7 @@ FAINT = scores.FLOOR * scores.FLOOR
 """What lies outside a set from which is chosen."""
 
 _LONELY = 0.3  # a first or last one needs others behind or before it
+_UNIQUE = 1.0  # "the block at the back" is the one of which that holds best: how much that speaks against the next
 _ALIKE = 0.4  # who names one of a set without telling which mostly means a set of one
 
 
@@ -77,6 +78,8 @@ def select(
         total += chance * choose(scene, view, noun, pool, said.ranks, kinds, chosen=chosen, in_stack=said.in_stack)
     total = total / max(1.0, sum(chance for _, chance in choices))
     ranking = bool(said.ranks or noun.ordinals or noun.distance or noun.directions)
+    if noun.definite and not ranking:
+        total = total * (total / scores.peak(total)) ** _UNIQUE
     return Value("objects", total * said.preference ** (0.15 if ranking else 1.0), definite=noun.definite)
 
 

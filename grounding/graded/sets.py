@@ -12,7 +12,7 @@ Sets = list[tuple[np.ndarray, float]]
 
 _MOST = 12
 LEAST = 0.04  # who counts more than stand out means the next ones too, where they fit at least so well
-GAPS = (0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.95, 1.3)  # that part two bands [edges]
+GAPS = (0.45, 0.6, 0.7, 0.8, 0.9, 1.1)  # that part two bands [edges]
 
 
 def arranged(scene: Scene, kinds: tuple[str, ...], wanted: np.ndarray, number: int | None) -> Sets:

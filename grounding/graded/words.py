@@ -13,8 +13,8 @@ from functools import lru_cache
 _SIDES = {
     "left": "left lefthand left-hand leftward leftwards west western westward",
     "right": "right righthand right-hand rightward rightwards east eastern eastward",
-    "front": "front fore foremost forward forwards south southern southward southwards",
-    "back": "back rear backward backwards north northern northward northwards",
+    "front": "front fore foremost backward backwards south southern southward southwards",
+    "back": "back rear forward forwards north northern northward northwards",
     "up": "top upper up upward upwards high higher highest above uppermost topmost",
     "down": "bottom lower down downward downwards low lowest below bottommost",
 }

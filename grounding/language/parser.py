@@ -17,6 +17,7 @@ from grounding.language.grammar import Grammar
 from grounding.language.lexicon import known_words, meanings
 from grounding.language.rewriting import rewrite
 from grounding.language.rules import Rules
+from grounding.language.sentences import part_commands
 from grounding.language.skipping import restore
 from grounding.language.spelling import Speller
 from grounding.language.tokens import Token, normal, tokenize
@@ -28,23 +29,11 @@ _DERIVATIONS = 6
 """Look at up to so many derivations for every tree wanted: some differ in the words' tags only."""
 
 _MOST_KEPT = 4096
-_DASHES = frozenset("-–—―")
-_CLAUSE = 3  # words on either side of a dash that ends a sentence
 _MOST_SKIPPED = 3
 """So many words of a sentence that does not parse whole are tried to be left out, one at a time."""
 _SKIPPED = -12.0
 """Log probability of a word that has no place in its sentence."""
 _LEXICON = known_words()
-_COMMANDS = frozenset("take move put place pick set stack slide shift position grab lift push get select choose "
-                      "remove".split())  # fmt: skip
-_BARE = frozenset("take move put pick grab".split())
-_JOINING = frozenset("and then or to".split())
-_CLAUSES = frozenset("if when while after before once as".split())
-_LEADING = frozenset("and then or to you i we can should will must please the a of on in not now".split())
-_PREPOSITIONS = frozenset("in on at of from near to with by for".split())
-_BEING = frozenset("is are there 's".split())
-_LONG = 5  # words, after which a command that follows a comma is a sentence of its own
-_THERE = 4  # words that "there are two blocks" has
 
 Choice = tuple[str, str, str, float]
 """A word as it may be read, its tag, its label, and log P(word | tag, label)."""
@@ -121,7 +110,7 @@ class Parser:
         """
         if k < 1:
             raise LanguageError(f"expected at least one reading to be asked for and found k={k}")
-        sentences = split_sentences(rewrite(tokenize(text), self._is_known))
+        sentences = part_commands(rewrite(tokenize(text), self._is_known))
         if not sentences:
             raise LanguageError(f"expected an instruction and found a text without words: {text[:40]!r}")
         roots, whole, count = [], True, 0
@@ -187,48 +176,6 @@ class Parser:
                 emission = model.log_emission(word, tag, chance) if model.is_rare(word, tag) else 0.0
                 choices.append((word, tag, label_of(word, tag, model), emission))
         return tuple(choices)
-
-
-def split_sentences(tokens: Sequence[Token]) -> tuple[tuple[Token, ...], ...]:
-    """The words of each sentence, without punctuation; sentences without words are left out.
-
-    A dash by itself ends one where enough words stand on either side: "there are two on the left - take the near one".
-    """
-    sentences: list[list[Token]] = [[]]
-    parted = False
-    for place, token in enumerate(tokens):
-        if sentences[-1] and _begins(token, sentences[-1], parted):
-            sentences.append([])
-        parted = token.text == ","
-        if token.ends_sentence or (token.text in _DASHES and _sets_apart(tokens, place)):
-            sentences.append([])
-        elif token.is_word:
-            sentences[-1].append(token)
-    return tuple(tuple(sentence) for sentence in sentences if sentence)
-
-
-def _sets_apart(tokens: Sequence[Token], dash: int) -> bool:
-    before, after = tokens[max(0, dash - _CLAUSE) : dash], tokens[dash + 1 : dash + 1 + _CLAUSE]
-    return all(len(side) == _CLAUSE and all(token.is_word for token in side) for side in (before, after))
-
-
-def _begins(token: Token, before: Sequence[Token], parted: bool) -> bool:
-    """Whether a command begins though no mark ends the sentence before it.
-
-    Args:
-        token: the next word.
-        before: the words of the sentence so far, at least one.
-        parted: whether a comma stands between.
-    """
-    if token.text not in _COMMANDS:
-        return False
-    if token.original.istitle() and before[-1].original.islower():
-        return True  # "... on the left Take the"
-    texts = {word.text for word in before}
-    if parted and (before[0].text not in _PREPOSITIONS or texts & _BEING):
-        return before[-1].text not in _JOINING and (before[0].text not in _COMMANDS | _CLAUSES or len(before) > _LONG)
-    there = before[0].text in ("there", "here") and len(before) > _THERE
-    return there and token.text in _BARE and before[-1].text not in _LEADING
 
 
 def _mended(tokens: Sequence[Token], tree: Phrase) -> tuple[tuple[str, str], ...]:

@@ -37,12 +37,13 @@ class Speller:
         Args:
             words: in lower case; those with anything but letters are not meant by any misspelling.
         """
+        self._known = frozenset(words := tuple(words))
         self._words = tuple((word, _letters(word)) for word in sorted(set(words)) if word.isalpha() and len(word) > 2)
 
     def candidates(self, written: str) -> tuple[Spelling, ...]:
         """What may have been meant by a word nobody knows, the likeliest first; nothing for a common English word."""
         allowed = _allowed(written)
-        if not allowed or _is_english(written):
+        if not allowed or _is_english(written) or self._is_participle(written):
             return ()
         letters = _letters(written)
         found: list[tuple[float, str]] = []
@@ -59,6 +60,12 @@ class Speller:
         found.sort(key=lambda item: (-item[0], item[1]))
         best = [(cost, word) for cost, word in found if cost >= found[0][0] - abs(_PER_EDIT)]
         return tuple(Spelling(word, cost) for cost, word in best[:_MOST_CANDIDATES])
+
+    def _is_participle(self, word: str) -> bool:
+        """Whether a word is the -ing form of a known one: "taking" is no misspelling of "making"."""
+        stem = word.removesuffix("ing")
+        forms = {stem, stem + "e"} | ({stem[:-1]} if stem[-1:] == stem[-2:-1] else set())
+        return stem != word and len(stem) > 2 and bool(forms & self._known)
 
 
 def distance(one: str, other: str) -> int:

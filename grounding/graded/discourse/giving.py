@@ -7,16 +7,17 @@ from dataclasses import replace
 
 from grounding.graded.discourse.parts import Parts
 from grounding.graded.discourse.told import is_informative
-from grounding.graded.discourse.verbs import BEING, COMING, GAINING, JOINED, LOSING, MAKING, PARTING
+from grounding.graded.discourse.verbs import BEING, COMING, GAINING, JOINED, LOSING, MAKING, PARTING, TAKING
 from grounding.graded.nouns import Noun, read_noun
 from grounding.graded.words import directions
 from grounding.language.tree import Phrase, Word
 
 _FROM = frozenset(("from",))
-_BRINGING = frozenset("using moving taking placing stacking putting adding by courtesy".split())
+_BRINGING = frozenset("using claiming moving taking placing stacking putting adding by courtesy".split())
 _BEGINNING = frozenset("from using by with coming taking courtesy".split())
 _THINGS = ("block", "container", "place")
 _WHOLES = frozenset("tower row column group".split())
+_POINTING = frozenset("the that this".split())
 _OWN = frozenset("its one their".split())
 
 
@@ -42,7 +43,10 @@ def given(verbs: list[str], parts: Parts, subjects: Sequence[Noun], nouns: Seque
     joined = bool(said & BEING) and bool(JOINED & (said | following))
     gains = bool(said & GAINING) and (subject.head in ("block", "container") or subject.place is not None)
     comes = bool(said & COMING) and (subject.head == "pronoun" or not is_informative(subject))
-    return _brought(*parts.objects, *parts.rest) if joined or gains or comes else None
+    grown = bool(said & BEING) and subject.head != "pronoun" and bool(TAKING & {word.text for word in _leaves(parts)})
+    if gains and nouns and nouns[0].head == "block" and nouns[0].text.split(" ", 1)[0] in _POINTING:
+        return nouns[0]
+    return _brought(*parts.objects, *parts.rest) if joined or gains or comes or grown else None
 
 
 def gained(verbs: list[str], parts: Parts) -> list[Phrase]:
@@ -73,6 +77,10 @@ def _of_owner(phrase: Phrase, owner: Phrase) -> Phrase:
             found.append(_of_owner(child, owner))
     bare = phrase.tag == "PP" and not any(p.tag == "NP" for p in phrase.preorder())
     return Phrase(phrase.tag, (*found, owner)) if bare else Phrase(phrase.tag, tuple(found))
+
+
+def _leaves(parts: Parts) -> tuple[Word, ...]:
+    return (*parts.words, *(leaf for phrase in (*parts.objects, *parts.rest) for leaf in phrase.leaves))
 
 
 def _speaks_of_parts(parts: Parts) -> bool:

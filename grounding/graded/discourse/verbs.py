@@ -12,7 +12,7 @@ HANDLING = {
              "creates forms falls drops returns needs mover relocates swaps switch offset joined go sit join "
              "lands rests reposition repositions scoot scoots pushes pulls drags transfers heads shoots swings slips "
              "descends rises climbs comes ascends nudge nudges hugs meets attaches connects fills add adds tuck tucks "
-             "tips".split(),
+             "tips rest hide hides fill slid pushed turns transport transports switches".split(),
     "clear": "clear remove".split(),
 }  # fmt: skip
 SETTING_OFF = frozenset(
@@ -29,7 +29,9 @@ ORDERING = frozenset("should will must shall would needs ought".split())
 MOVED = frozenset("moved placed put stacked set shifted relocated positioned".split())
 LOSING = frozenset("loses lose lost".split())
 PARTING = frozenset("takes moves drops puts gives sends moving".split())
-GAINING = frozenset("takes gains gets receives becomes grows adds acquires take gain become made formed sees".split())
+GAINING = frozenset("takes gains gets receives becomes grows adds acquires take gain become made formed sees claims "
+                    "claim".split())  # fmt: skip
+TAKING = frozenset("taking using claiming".split())
 JOINED = frozenset("joined conjoined topped filled followed met capped crowned".split())
 COMING = frozenset("coming comes came".split())
 JOINING = frozenset("joins join joined touches meets hugs fills attaches connects leaps hops jumps swings approaches "

@@ -74,6 +74,9 @@ def _surrounded(reader: Reader, heard: Heard, noun: Noun) -> list[Effect] | None
 def _counted(reader: Reader, heard: Heard, noun: Noun) -> list[Effect] | None:
     """For example "third from the left", "from the bottom"."""
     start = noun.head in ("place", "agent") or (noun.directions and is_plain(noun))
+    part = noun.head == "place" and heard.ordinal is None and whole_of(reader, noun) is not None
+    if part and reader.noun(noun).kind == "objects":
+        return None  # "from the top of the tower"
     if heard.ordinal is not None or (heard.last == "from" and start and not heard.said.distance):
         return counted_from(reader, noun, heard.ordinal) or None
     return None
@@ -108,7 +111,7 @@ def _side_of(reader: Reader, heard: Heard, noun: Noun) -> list[Effect] | None:
     if whole.kind == "agent":
         return [before(scene, whole.agent or ROBOT, noun.directions)]
     inside = heard.texts[:1] in (["in"], ["at"], ["from"], ["of"]) and "front" not in noun.directions
-    if whole.kind == "sets" and inside:
+    if whole.kind == "sets" and (inside or _is_end(reader, noun, whole)):
         return None
     toward = (*heard.further, *noun.directions)
     if heard.measure is not None:
@@ -128,6 +131,12 @@ def _of_others(reader: Reader, heard: Heard, noun: Noun) -> list[Effect] | None:
     if heard.last == "with" or any(w.is_beside(text) for text in heard.texts):
         return [Restriction(scores.beside(gaps, scene.edge, 1.5))]
     return None
+
+
+def _is_end(reader: Reader, noun: Noun, whole: Value) -> bool:
+    """Whether the top or the bottom of a tower is meant, which belongs to it."""
+    upright = bool(whole.sets) and bool(reader.scene.stacked[whole.sets[0][0]].all())
+    return upright and bool({"up", "down"} & set(noun.directions)) and len(noun.directions) == 1
 
 
 def _having(reader: Reader, heard: Heard, noun: Noun) -> list[Effect] | None:

@@ -7,8 +7,9 @@ import models
 from grounding.errors import LanguageError, ModelError
 from grounding.language.grammar import Grammar
 from grounding.language.measure import brackets
-from grounding.language.parser import Parser, split_sentences
+from grounding.language.parser import Parser
 from grounding.language.rewriting import rewrite
+from grounding.language.sentences import split_sentences
 from grounding.language.spelling import distance
 from grounding.language.tokens import tokenize
 from grounding.language.tree import Word, from_brackets

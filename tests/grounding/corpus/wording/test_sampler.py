@@ -8,7 +8,7 @@ from grounding.corpus.wording.words import USUAL_TAGS
 from grounding.errors import CorpusError
 from grounding.language.events import Child, tree_events
 from grounding.language.lexicon import known_colors
-from grounding.language.parser import split_sentences
+from grounding.language.sentences import split_sentences
 from grounding.language.tags import TagModel
 from grounding.language.tokens import tokenize
 from grounding.language.tree import Phrase, from_brackets
