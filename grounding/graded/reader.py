@@ -135,11 +135,28 @@ class Reader:
         if first.head == "block" and all(not _has_noun(part) for part in noun.conjoined[1:]):
             return self.noun(replace(first, modifiers=(*first.modifiers, *noun.conjoined[1:], *noun.modifiers)))
         parts = [self.value(part) for part in noun.conjoined]
+        if len(parts) == 2 and {kind for part in parts for kind in part.kinds} == {"row", "column"}:
+            return _crossing(*parts)
         pools = [p.weights for p in parts if p.kind in ("objects", "sets")]
         if not pools:
             return Value("nothing", np.zeros(self.scene.n))
         found = _pairs(*pools) if len(pools) == 2 else ()
         return Value("sets", np.max(pools, axis=0), found, definite=noun.definite, number=len(parts))
+
+
+def _crossing(row: Value, column: Value) -> Value:
+    """Where a row and a column meet: "the second row and the third column"."""
+    found = [
+        (one & other, weight * chance)
+        for one, weight in row.sets[:SETS]
+        for other, chance in column.sets[:SETS]
+        if (one & other).any()
+    ]
+    found.sort(key=lambda item: -item[1])
+    weights = np.zeros(len(row.weights))
+    for mask, weight in found:
+        weights = np.maximum(weights, mask * weight)
+    return Value("sets", weights, tuple(found[: 2 * SETS]))
 
 
 def _pairs(one: Array, other: Array) -> tuple[tuple[np.ndarray, float], ...]:

@@ -127,6 +127,14 @@ class Scene:
         return mask
 
     @lazy
+    def raised(self) -> np.ndarray:
+        """What stands on another block."""
+        mask = np.zeros(self.n, dtype=bool)
+        for tower in self.towers:
+            mask[list(tower[1:])] = True
+        return mask
+
+    @lazy
     def clear(self) -> np.ndarray:
         """What carries nothing."""
         mask = np.ones(self.n, dtype=bool)

@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     ReferenceReading = Callable[[Reader, Heard, Noun, Value], list[Effect] | None]
 
 _THINGS = ("objects", "sets")
+_RAISED = 0.3  # who says "on the table" may mean all that is there
 
 
 def _middle_of(reader: Reader, heard: Heard, noun: Noun, value: Value) -> list[Effect] | None:
@@ -93,6 +94,13 @@ def _in_place(reader: Reader, heard: Heard, noun: Noun, value: Value) -> list[Ef
     return None
 
 
+def _on_table(reader: Reader, heard: Heard, noun: Noun, value: Value) -> list[Effect] | None:
+    """For example "on the table", where others stand on blocks."""
+    if value.kind != "table" or heard.last != "on" or not reader.scene.raised.any():
+        return None
+    return [Restriction(np.where(reader.scene.raised, _RAISED, 1.0))]
+
+
 def _in_set(reader: Reader, heard: Heard, noun: Noun, value: Value) -> list[Effect] | None:
     """For example "in the row"."""
     if value.kind != "sets":
@@ -122,6 +130,7 @@ BY_REFERENCE: tuple[ReferenceReading, ...] = (
     _touching,
     _beside,
     _in_place,
+    _on_table,
     _in_set,
     _on,
     _among,

@@ -98,18 +98,6 @@ def test_sentences_are_parsed_each_for_itself() -> None:
     assert [len(sentence) for sentence in split_sentences(tokenize("one two. ! three"))] == [2, 1]
 
 
-@pytest.mark.parametrize(
-    ("text", "lengths"),
-    [
-        ("there are two on the left - take the near one", [6, 4]), ("the top - left corner", [4]),
-        ("here is a long row, take its last block", [5, 4]), ("on the left, take the red block", [7]),
-        ("take the one that is red, put it down", [6, 3]), ("take the red block, put it down", [7]),
-    ],
-)  # fmt: skip
-def test_dashes_and_commas_end_what_is_told_before_a_command(text, lengths):
-    assert [len(sentence) for sentence in split_sentences(tokenize(text))] == lengths
-
-
 @pytest.mark.parametrize("text", ["", " ", "...", "?!"])
 def test_texts_without_words_are_refused(text: str) -> None:
     with pytest.raises(LanguageError):
