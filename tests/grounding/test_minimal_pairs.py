@@ -165,13 +165,12 @@ SAID_AT_LENGTH = [
     ("default", "take the farthest block in the column of three on the left", "b8"),
     ("tower", "grab the yellow block on the table", "b7"),
     ("tower", "take the green block to the left of the red block that is closest to you", "b8"),
+    ("stacks", "pick up the block on top of the tower on the left", "a3"),
 ]
 
 NOT_YET = [
     ("twelve", "pick up the block in the circle that is closest to you", "b3",
      "a circle through a block of another colour is as likely"),
-    ("stacks", "pick up the block on top of the tower on the left", "a3",
-     "what stands beside the tower is as likely as what is on top of it"),
     ("stacks", "take the highest block", "a3",
      "heights are ranked only where all blocks that could be meant are stacked"),
     ("stacks", "take the three blocks closest to you", "a3+o1+z2",

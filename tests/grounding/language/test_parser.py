@@ -9,7 +9,7 @@ from grounding.language.grammar import Grammar
 from grounding.language.measure import brackets
 from grounding.language.parser import Parser
 from grounding.language.rewriting import rewrite
-from grounding.language.sentences import split_sentences
+from grounding.language.sentences import part_commands, split_sentences
 from grounding.language.spelling import distance
 from grounding.language.tokens import tokenize
 from grounding.language.tree import Word, from_brackets
@@ -107,7 +107,7 @@ def test_sentences_are_parsed_each_for_itself() -> None:
     ],
 )  # fmt: skip
 def test_dashes_and_commas_end_what_is_told_before_a_command(text, lengths):
-    assert [len(sentence) for sentence in split_sentences(tokenize(text))] == lengths
+    assert [len(sentence) for sentence in part_commands(tokenize(text))] == lengths
 
 
 @pytest.mark.parametrize("text", ["", " ", "...", "?!"])
