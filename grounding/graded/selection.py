@@ -60,8 +60,8 @@ def select(
         weights = weights * scores.softened(lone(scene, base))
     if unspoken is not None:
         weights = weights * unspoken
-    level = not said.in_stack and not noun.plural and "up" not in noun.directions and "down" not in noun.directions
-    salience = scene.salience if level else np.ones(scene.n)
+    plain = not said.in_stack and not noun.plural and "up" not in noun.directions and "down" not in noun.directions
+    salience = scene.salience if plain else np.ones(scene.n)
     weights = weights * salience
     choices = _choices(scene, said.memberships)
     chosen = bool(said.memberships)
@@ -80,7 +80,7 @@ def select(
     total = total / max(1.0, sum(chance for _, chance in choices))
     ranking = bool(said.ranks or noun.ordinals or noun.distance or noun.directions)
     if noun.definite and not ranking:
-        held = total / salience
+        held = total / salience  # to be easily seen is no description
         total = total * (held / scores.peak(held)) ** _UNIQUE
     return Value("objects", total * said.preference ** (0.15 if ranking else 1.0), definite=noun.definite)
 

@@ -85,8 +85,8 @@ def _leaves(parts: Parts) -> tuple[Word, ...]:
 
 def _speaks_of_parts(parts: Parts) -> bool:
     """Whether a clause speaks of a part of its subject: "one of its boxes", "one piece"."""
-    first = (*parts.objects, *parts.rest[:1])
-    return any(leaf.text in _OWN for phrase in first for leaf in phrase.leaves[:3])
+    named = any(leaf.text in _OWN for phrase in parts.objects for leaf in phrase.leaves[:3])
+    return named or any(phrase.leaves[0].text in _OWN for phrase in parts.rest[:1])
 
 
 def _part_of(subject: Noun, parts: Parts, nouns: Sequence[Noun]) -> Noun:
@@ -105,7 +105,9 @@ def _brought(*phrases: Phrase) -> Noun | None:
     found = [part for phrase in phrases for part in phrase.preorder() if part.tag in ("PP", "VP", "S")]
     for words in (COMING, _FROM, _BRINGING):
         for part in found:
-            if any(word.text in words for word in part.words) and (noun := _source(part)) is not None:
+            place = next((i for i, c in enumerate(part.children) if isinstance(c, Word) and c.text in words), None)
+            after = () if place is None else part.children[place:]
+            if after and (noun := _source(Phrase(part.tag, after))) is not None:
                 return noun
     return None
 

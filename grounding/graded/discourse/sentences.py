@@ -14,7 +14,6 @@ from grounding.graded.discourse.parts import Parts, is_existential, parts_of
 from grounding.graded.discourse.told import Told, add, deny, is_informative, mention, one_of, state, take, with_further
 from grounding.graded.discourse.verbs import (
     BEING,
-    COMING,
     GAINING,
     HANDLING,
     JOINING,
@@ -22,7 +21,6 @@ from grounding.graded.discourse.verbs import (
     LOSING,
     MOVED,
     ORDERING,
-    PARTING,
     is_verbal,
     kind_of,
 )
@@ -121,8 +119,9 @@ def _gives_or_gets(sentence: Sentence, reader: Reader, told: Told) -> bool:
     giver = given(sentence.verbs, sentence.parts, sentence.named, sentence.nouns)
     if giver is None:
         return False
-    whole = sentence.has(LOSING | PARTING) and not sentence.has(COMING)
-    take(giver, reader, told, None if whole or not sentence.named else reader.value_of(sentence.named[0]))
+    owner = sentence.parts.named[:1]
+    its_own = any(phrase in owner for modifier in giver.modifiers for phrase in modifier.phrases)
+    take(giver, reader, told, None if its_own or not owner else reader.value_of(sentence.named[0]))
     where = gained(sentence.verbs, sentence.parts)
     told.kind = "place" if where or not sentence.has(LOSING) else "pick"
     told.destination += where

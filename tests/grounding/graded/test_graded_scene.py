@@ -59,3 +59,17 @@ def test_what_is_stacked_is_known_from_below_to_above():
     assert {tuple(ids[i] for i in tower) for tower in scene.towers} == {("b1", "b2", "b3"), ("b4", "b5")}
     assert {ids[i] for i in np.flatnonzero(scene.stacked)} == {"b1", "b2", "b3", "b4", "b5"}
     assert {ids[i] for i in np.flatnonzero(~scene.clear)} == {"b1", "b2", "b4"}
+
+
+@given(st.lists(st.tuples(st.floats(-1, 1), st.floats(-1, 1)), min_size=2, max_size=6))
+def test_a_picture_of_the_table_keeps_edges_and_order(places):
+    table = make_object("table", "table", "white", (1.0, 0, 0.69), size=(1.0, 2.0, 0.04))
+    corners = [(1, 1), (-1, -1)]
+    blocks = [make_object(f"b{i}", position=(1 + 0.5 * x, y, 0.74)) for i, (x, y) in enumerate([*corners, *places])]
+    scene = Scene(Layout(World((table, *blocks))))
+    assert scene.on_table
+    np.testing.assert_allclose(scene.scaled[:2], corners, atol=1e-9)
+    np.testing.assert_allclose(scene.scaled[:, 1], scene.xy[:, 1], atol=1e-9)
+    assert (np.diff(scene.scaled[np.argsort(scene.xy[:, 0]), 0]) >= -1e-9).all()
+    nearer = Scene(Layout(World((table, *blocks[:2], make_object("m", position=(1.0, 0, 0.74))))))
+    assert nearer.scaled[2, 0] > 0  # what lies in the table's middle is beyond the middle of its picture

@@ -8,7 +8,7 @@ import pytest
 from grounding import World, make_object
 from grounding.geometry.layout import Layout
 from grounding.graded.belief import believe
-from grounding.graded.places import in_place, make_place
+from grounding.graded.places import in_place, make_place, off_middle
 from grounding.graded.scene import ROBOT, Scene
 from grounding.language.parser import Parser
 
@@ -63,3 +63,12 @@ def test_the_rim_is_the_same_for_a_mirrored_place():
 def test_what_was_handled_is_nobody_where_nothing_was():
     assert first("take the block you just moved") is None
     assert first("take the block you just moved", ("edge",)) == ("edge",)
+
+
+@pytest.mark.parametrize(("name", "opposite"), [("left", "right"), ("back", "front")])
+def test_beside_the_middle_is_on_one_side_of_it(name, opposite):
+    toward, away = (off_middle(SCENE, (side,), ROBOT, strict=False) for side in (name, opposite))
+    along = SCENE.seen @ SCENE.direction(name)
+    assert (along[toward > 0.2] > 0).all()
+    assert (along[away > 0.2] < 0).all()
+    assert np.minimum(toward, away).max() < 0.1

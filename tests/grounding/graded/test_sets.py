@@ -99,3 +99,12 @@ def test_plurals_are_all_that_match_or_so_many():
     assert too_few.sum() == 2
     assert doubt < 0.5
     assert sets.collected(scene, np.zeros(4), 2, False) == []
+
+
+def test_who_counts_more_than_stand_out_means_the_next_as_well():
+    scene = scene_of([(0, 0), (0, 2), (0, 4), (8, 9)])
+    (mask, weight), *_ = sets.collected(scene, np.array([1.0, 0.2, 0.15, 0.001]), 3, False)
+    assert mask.tolist() == [True, True, True, False]
+    assert 0.1 < weight < 1
+    (mask, weight), *_ = sets.collected(scene, np.array([1.0, 0.2, 0.15, 0.001]), 4, False)
+    assert weight <= 0.1

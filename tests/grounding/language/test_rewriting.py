@@ -36,6 +36,12 @@ def known():
         ("so its next to its left side", "so it 's next to its left side"),
         ("furtherest tot he left", "furthest to the left"),
         ("the left-hand side", "the left-hand side"),
+        ("the cube all the way on the right", "the cube furthest on the right"),
+        ("the cube all of the way to the back", "the cube furthest to the back"),
+        ("shift it all the way", "shift it all the way"),
+        ("the cube on it's left", "the cube on its left"),
+        ("the cube to it's lower right", "the cube to its lower right"),
+        ("it's left of the tower", "it 's left of the tower"),
         ("the blorb-quux", "the blorb-quux"),
     ],
 )

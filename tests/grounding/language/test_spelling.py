@@ -72,3 +72,8 @@ def test_words_of_their_own_stay_unknown(parser, word):
     assert best.unknown_words == () if parser.grammar.words.is_known(word) else (word,)
     assert not best.mended
     assert best.tree.leaves[-1].tag == "NN"
+
+
+@pytest.mark.parametrize("word", ["taking", "stacking", "using", "sliding"])
+def test_forms_of_known_verbs_are_no_misspellings(parser, word):
+    assert not Speller(["take", "stack", "use", "slide", "making", "sticking", "suing", "siding"]).candidates(word)
