@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from grounding.destinations import find_destination
 from grounding.distinguishing import Describer
@@ -13,6 +13,7 @@ from grounding.geometry.layout import Layout
 from grounding.graded.belief import GradedBelief
 from grounding.graded.discourse import clauses_of
 from grounding.graded.scene import Scene
+from grounding.literal import LiteralBelief
 from grounding.missing import unknown_named, unknown_things, whats_missing
 from grounding.phrases import by_answer, by_factors
 from grounding.pooling import Pooled, pool
@@ -27,12 +28,15 @@ MARGIN = 1.4  # and so many times likelier than the next one
 TIE = 1.1  # graded readings whose shares differ by less do not tell two things apart
 WHOLLY = 0.9  # words that agree with the world so well hold of what they are said of
 CREDIBLE = 0.1  # what agrees less with the world is not answered where something is seen to be missing
+OPEN = 20.0  # what the words literally hold of alike with others has to be so many times likelier than those
 CONFIDENT = 0.62  # by the factors alone an answer is given when it is so likely
 EVEN = 0.2  # where many are possible, those that are at most so much less likely than the best are
 LISTED = 0.01  # alternatives less likely than this are not worth naming
 MOST = 5
 
 _ASIDE = frozenset(("aside", "away", "out"))  # "move it out of the way"
+SILENT = LiteralBelief()
+_WHICH_PLACE = "Beside which one shall I put it?"
 _OPEN_PLACE = "Where shall I put it?"
 
 
@@ -63,6 +67,7 @@ def decide(
     scene: Scene,
     unknown: Sequence[str] = (),
     graded: GradedBelief | None = None,
+    literal: LiteralBelief = SILENT,
 ) -> Grounding:
     """Weigh the readings.
 
@@ -72,26 +77,32 @@ def decide(
         scene: the world.
         unknown: words that the grammar does not know.
         graded: its graded readings, with which the factors' belief is pooled, see `grounding.pooling`.
+        literal: its literal reading, which is pooled with both.
     """
     tree, words = found[0].inference.tree, tuple(unknown)
     phrases = by_factors(found[0], {})
     refusal = forbidden(tree)
     if refusal is not None:
         return Grounding(text, "not_understood", explanation=refusal, unknown_words=words, phrases=phrases)
-    if graded is not None and not (graded.options and graded.truth > 0):
+    if graded is not None and not (graded.options and graded.truth > 0) and not literal.options:
         graded = None
-    if graded is None or graded.truth < CREDIBLE:
+    if literal.missing and (graded is None or graded.truth < literal.limit):
+        return Grounding(text, "no_referent", explanation=literal.missing, unknown_words=words, phrases=phrases)
+    if (graded is None or graded.truth < CREDIBLE) and not literal.options:
         missing = whats_missing(tree, scene) if graded is not None or found[0].actions else None
         if missing is not None:
             words = tuple(dict.fromkeys((*words, *unknown_things(tree, scene.layout))))
             return Grounding(text, "no_referent", explanation=missing, unknown_words=words, phrases=phrases)
-    believed = _by_factors(found, scene) if graded is None else _pooled(found, scene, graded)
+    believed = _by_factors(found, scene) if graded is None else _pooled(found, scene, graded, literal)
     if believed is None:
         believed = _open(found, scene)
     if believed is None:
         why = unanswered(tree, scene, words)
         return Grounding(text, why.outcome, explanation=why.explanation, unknown_words=why.words, phrases=phrases)
     result = _outcome(text, believed, scene)
+    if result.outcome == "grounded" and result.actions[0].action == "place" and not literal.placed:
+        result = replace(result, outcome="ambiguous", actions=(), alternatives=result.actions, question=_WHICH_PLACE,
+                         explanation="what is said of the place holds of several things")  # fmt: skip
     if result.outcome == "ambiguous":
         missing = unknown_named(tree, scene)
         if missing is not None:
@@ -126,10 +137,12 @@ def _outcome(text: str, believed: Believed, scene: Scene) -> Grounding:
     return Grounding(text, "ambiguous", (), listed, asked, why)
 
 
-def _pooled(found: Sequence[Reading], scene: Scene, graded: GradedBelief) -> Believed | None:
-    """What the factors and the graded readings believe together."""
+def _pooled(
+    found: Sequence[Reading], scene: Scene, graded: GradedBelief, literal: LiteralBelief
+) -> Believed | None:
+    """What the factors, the graded readings and the literal one believe together."""
     shares, bearers = _shares(found)
-    options = options_of(found, graded)
+    options = options_of(found, graded, literal)
     if not options:
         return None
     best, second = options[0].probability, options[1].probability if len(options) > 1 else 0.0
@@ -138,16 +151,18 @@ def _pooled(found: Sequence[Reading], scene: Scene, graded: GradedBelief) -> Bel
     actions = tuple(action_of(option, found, scene, graded) for option in listed[: MOST + 1])
     bearer = next((r for a, r in bearers.items() if _agrees(a, actions[0])), None)
     count = len(listed)
-    sure = best >= ANSWERED and best >= _needed(graded) * second
+    sure = best >= ANSWERED and best >= _needed(graded, literal) * second
     return Believed(actions, count, sure, shares, bearer or found[0], bearer is not None)
 
 
-def _needed(graded: GradedBelief) -> float:
+def _needed(graded: GradedBelief, literal: LiteralBelief) -> float:
     """How many times likelier than the next the best option has to be.
 
     Words that hold fully of several things cannot tell them apart; where they hold as well of another in part,
     the factors alone must be surer.
     """
+    if literal.options:
+        return OPEN if literal.is_open and not literal.vague else MARGIN
     shares = [share for _, share in graded.options[:2]]
     if len(shares) < 2 or shares[0] >= TIE * shares[1]:
         return MARGIN
@@ -199,18 +214,21 @@ def _agrees(action: Action, answer: GroundedAction) -> bool:
     return place is None or action.destination is None or set(place.reference) == set(action.destination.objects)
 
 
-def options_of(found: Sequence[Reading], graded: GradedBelief | None) -> tuple[Pooled, ...]:
+def options_of(
+    found: Sequence[Reading], graded: GradedBelief | None, literal: LiteralBelief = SILENT
+) -> tuple[Pooled, ...]:
     """All that a text may speak of, the likeliest first, also what is hardly likely.
 
     Args:
         found: its readings by the factors.
         graded: its graded readings.
+        literal: its literal reading.
     """
     factors: dict[tuple[str, tuple[str, ...]], float] = {}
     for action, share in _shares(found)[0].items():
         factors[action.kind, action.objects] = factors.get((action.kind, action.objects), 0.0) + share
     words = len(found[0].inference.tree.leaves)
-    return pool(factors, () if graded is None else graded.options, words)
+    return pool(factors, () if graded is None else graded.options, words, literal.options)
 
 
 def action_of(option: Pooled, found: Sequence[Reading], scene: Scene, graded: GradedBelief) -> GroundedAction:

@@ -19,6 +19,7 @@ from grounding.graded.belief import GradedBelief, believe
 from grounding.graded.scene import Scene
 from grounding.inference import Adcg
 from grounding.language.parser import Parse, Parser
+from grounding.literal import LiteralBelief, believe_literally
 from grounding.pooling import Pooled
 from grounding.readings import Reading, readings
 from grounding.result import GroundedAction, Grounding
@@ -55,6 +56,7 @@ class Understanding:
         parses: of the text, the likeliest first.
         scene: the world, measured.
         graded: what the parses ask for by their graded readings.
+        literal: and what they ask for literally.
         readings: by the factors, of the parses that agree best with the world; the likeliest first.
     """
 
@@ -62,6 +64,7 @@ class Understanding:
     parses: tuple[Parse, ...]
     scene: Scene
     graded: GradedBelief
+    literal: LiteralBelief
     readings: tuple[Reading, ...]
 
     def decided(self, before: World | None = None) -> Grounding:
@@ -72,7 +75,7 @@ class Understanding:
         """
         tree = self.readings[0].inference.tree
         parse = next((parse for parse in self.parses if parse.tree is tree), self.parses[0])
-        result = decide(self.text, self.readings, self.scene, parse.unknown_words, self.graded)
+        result = decide(self.text, self.readings, self.scene, parse.unknown_words, self.graded, self.literal)
         if returns(tree):
             result = returned(result, self.scene.layout.world, before)
         return replace(result, mended=parse.mended)
@@ -80,7 +83,7 @@ class Understanding:
     def options(self) -> tuple[Pooled, ...]:
         """All that may be spoken of, the likeliest first; those that are left open where nothing helped."""
         graded = self.graded if self.graded.options else None
-        found = options_of(self.readings, graded)
+        found = options_of(self.readings, graded, self.literal)
         if found:
             return found
         bare = open_options(self.readings[0].inference.tree, self.scene)
@@ -189,11 +192,12 @@ class Grounder:
 
     def _read(self, text: str, parses: Step, scene: Scene, history: Sequence[str]) -> Understanding:
         graded = believe(parses, scene, history)
+        literal = believe_literally(parses, scene, graded, history)
         kept = graded.parses()[: self.inferred] or range(min(len(parses), self.inferred))
         likely = [parses[place] for place in kept]
         memory: dict[object, list] = {}
         inferred = [(self.inference.infer(parse.tree, scene.layout, memory), parse.probability) for parse in likely]
-        return Understanding(text, parses, scene, graded, readings(inferred, scene.layout))
+        return Understanding(text, parses, scene, graded, literal, readings(inferred, scene.layout))
 
     def layout(self, world: World) -> Layout:
         """The world, measured; the latest ones are kept."""

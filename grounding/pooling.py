@@ -18,6 +18,7 @@ FAMILIAR = 16  # texts of more words are unlike those that the factors were lear
 PLAIN = 7  # with every word more than these, more may have been misunderstood as a whole
 DOUBT_PER_WORD = 0.012
 MOST_DOUBT = 0.15
+LITERAL = 3000.0  # what holds literally is so many times likelier than what does not
 KIND_WORTH = 0.3  # of what the factors say of the kind of action, beside what the clauses' verbs say
 
 Objects = tuple[str, ...]
@@ -42,18 +43,21 @@ def pool(
     factors: Mapping[tuple[str, Objects], float],
     graded: Sequence[tuple[tuple[str, Objects], float]],
     words: int = 0,
+    literal: Sequence[tuple[tuple[str, Objects], float]] = (),
 ) -> tuple[Pooled, ...]:
     """Pool two beliefs over (action, ids).
 
     Args:
         factors: shares by the factors; what is missing to 1 is belief in nothing.
         graded: shares by the graded readings; they sum to 1, or are empty.
+        literal: shares by the literal reading; they sum to 1, or are empty.
         words: of the text; what the factors say of long ones counts less, as they multiply what may go wrong.
 
     Returns:
         the options, the likeliest first; their probabilities sum to 1, less the doubt that a long text leaves.
     """
     names: dict[Objects, tuple[float, float]] = {}
+    sharp: dict[Objects, float] = {}
     kinds: dict[Objects, dict[str, float]] = {}
     for source, (entries, worth) in enumerate(((factors.items(), KIND_WORTH), (graded, 1.0))):
         for (kind, objects), share in entries:
@@ -62,12 +66,18 @@ def pool(
             names[objects] = (pair[0], pair[1])
             of = kinds.setdefault(objects, {})
             of[kind] = of.get(kind, 0.0) + worth * share
-    if not graded:
+    for (kind, objects), share in literal:
+        sharp[objects] = sharp.get(objects, 0.0) + share
+        names.setdefault(objects, (0.0, 0.0))
+        of = kinds.setdefault(objects, {})
+        of[kind] = of.get(kind, 0.0) + share
+    if not graded and not literal:
         weights = {objects: f for objects, (f, _) in names.items()}
     else:
         power = FACTOR_POWER * min(1.0, FAMILIAR / max(words, 1)) ** 2
         weights = {
             objects: (g + GRADED_FLOOR) ** GRADED_POWER * (f + FACTOR_FLOOR) ** power
+            * (1.0 + LITERAL * sharp.get(objects, 0.0))
             for objects, (f, g) in names.items()
         }
     total = sum(weights.values())

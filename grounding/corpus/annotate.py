@@ -76,14 +76,16 @@ class _Annotator:
             actions = sum(isinstance(symbol, Action) and bool(symbol.objects) for symbol in root.symbols)
             if not actions and root.verb and (root.target is None or root.target.sort == "pronoun"):
                 raise NotAnnotatable(f"{tree.text!r}: nothing was spoken of before")
+            if root.indefinite and actions:
+                return "grounded"  # "next to a red block": any will do
             return "grounded" if actions == 1 else "ambiguous" if actions else "no_referent"
         if root.sort in ("one", "many", "container"):
             if root.chosen:
                 return "grounded"
             return "ambiguous" if root.pool or root.arrangements else "no_referent"
-        if root.sort in ("predicate", "several", "lone", "color", "view", "moved", "pronoun", "measure"):
+        if root.sort != "nothing":
             raise NotAnnotatable(f"{tree.text!r}: no instruction")
-        return "no_referent" if root.sort == "nothing" else "grounded"
+        return "no_referent"
 
     def _compose(self, phrase: Phrase, children: list[Meaning]) -> Meaning:
         if phrase.tag in ("PRT", "WHNP", "ADVP", "INTJ"):

@@ -7,6 +7,7 @@ from dataclasses import replace
 from grounding.corpus.base_words import Said, is_measure, labels, lying_kinds, sort_words
 from grounding.corpus.clusters import clusters
 from grounding.corpus.meaning import Meaning, NotAnnotatable
+from grounding.corpus.narrowing import noticed
 from grounding.corpus.selector import Selector
 from grounding.geometry.layout import UPRIGHT, Layout
 from grounding.geometry.masks import single
@@ -183,6 +184,8 @@ class BasePhrases:
             raise NotAnnotatable(f"NP {phrase.text!r}: not the only one")
         if said.lone:
             pool = self.select.alone(phrase, pool)
+        if index is not None and index > pool.bit_count():
+            pool = 0  # there are not so many
         head = Meaning("one", frozenset(), object_type, color, relation, index, pool=pool, corner=corner,
                        definite=said.definite, indefinite=said.indefinite, comparative=said.comparative,
                        verb="one" if said.one else "")  # fmt: skip
@@ -226,6 +229,8 @@ class BasePhrases:
         pool = layout.matching(object_type, color)
         if said.lone:
             pool = self.select.alone(phrase, pool)
+        if number is not None and number > pool.bit_count():
+            pool = 0  # there are not so many
         chosen, unclear = 0, False
         if relation in ("top", "bottom") and layout.stacked(pool):
             unclear = True  # of which tower is decided around it
@@ -265,6 +270,8 @@ class BasePhrases:
             found += clusters(self.layout, self.layout.matching(None, color), number, found)
         if number is not None:
             found = [a for a in found if a[1].bit_count() == number]
+        if not found and noticed(self.layout, kinds, color, number):
+            raise NotAnnotatable(f"NP {phrase.text!r}: it is hard to say whether there is one")
         symbols = labels(said) | {Container(kind) for kind in kinds}
         head = Meaning("container", frozenset(), None, color, relation, index, number, said.definite, kinds=kinds,
                        size=said.size, corner=corner, comparative=said.comparative,

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from grounding.corpus.destinations import Destinations
+from grounding.corpus.destinations import Destinations, parts_of
 from grounding.corpus.meaning import Meaning, NotAnnotatable, is_empty, passed
 from grounding.corpus.noun_phrases import NounPhrases
 from grounding.corpus.words import LONE, directions
@@ -72,7 +72,8 @@ class Clauses:
             return self._being(phrase, texts, told)
         if verb in ("has", "have", "made", "formed") and len(told) == 1 and told[0].sort == "many":
             return replace(told[0], symbols=passed(told[0]), preposition="of")
-        if verb in ("touches", "touch", "hits", "reaches") and phrase.words[0].tag != "VB":
+        commands = any(word.tag == "VB" for word in phrase.words)
+        if verb in ("touches", "touch", "hits", "reaches") and not commands:
             if len(told) != 1:
                 raise NotAnnotatable(f"VP {phrase.text!r}: construction not covered")
             return self.destinations.prepositions.region(phrase, told[0], "touching", "touching")
@@ -202,7 +203,7 @@ class Clauses:
             raise NotAnnotatable(f"{phrase.text!r}: no action on objects")
         if kind != "place" and places:
             raise NotAnnotatable(f"{phrase.text!r}: construction not covered")
-        own = bool(places) and places[0].sort == "direction"  # one step aside, as seen from where it is
+        own = bool(places) and all(part.sort == "direction" for part in parts_of(places[0]))  # steps from where it is
         actions: set[Symbol] = set()
         extra: frozenset[Symbol] = frozenset()
         for mask in self._sets(target):
@@ -214,7 +215,9 @@ class Clauses:
             actions |= {Action(kind, names, r) for r in alternatives if own or not self.layout.mask(r.objects) & mask}
         if len(actions) > 1 and extra:
             raise NotAnnotatable(f"{phrase.text!r}: the destination is not covered")
-        return Meaning("action", frozenset(actions) | {Action(kind)} | extra, verb=kind, target=target, parts=places)
+        return Meaning("action", frozenset(actions) | {Action(kind)} | extra, verb=kind, target=target, parts=places,
+                       indefinite=bool(target.chosen)
+                       and any(part.indefinite for place in places for part in parts_of(place)))  # fmt: skip
 
     def _sets(self, target: Meaning) -> list[int]:
         """What may be acted on."""

@@ -63,11 +63,14 @@ def dressed(world: World, rng: np.random.Generator) -> World:
 def recognise(name: str, world: World, containers: Iterable[Container] = ()) -> LaidWorld:
     """Digest a world: the arrangements that were laid, if known, and those that catch the eye.
 
-    A group that was laid counts if it stands apart from what lies around it.
+    What was laid counts if it is seen, a group if it catches the eye as a whole and stands apart from what lies around.
     """
     laid = lay(name, world, containers)
     by_members = laid.layout.by_members
+    evident = laid.layout.evident
     kept = tuple(
-        a for a in laid.arrangements if a[0] != "group" or (a in by_members and by_members[a].separation >= APART)
+        a
+        for a in laid.arrangements
+        if a in by_members and (a[0] != "group" or (a in evident and by_members[a].separation >= APART))
     )
     return LaidWorld(name, laid.layout, kept)

@@ -31,7 +31,7 @@ class Destinations:
         Raises:
             NotAnnotatable: no destination, or one that is not covered.
         """
-        parts = [part for place in places for part in _parts(place)]
+        parts = [part for place in places for part in parts_of(place)]
         if not parts:
             raise NotAnnotatable(f"VP {phrase.text!r}: no destination")
         found = [self._region(phrase, part, moved) for part in parts]
@@ -90,8 +90,8 @@ def _alternative(place: Meaning) -> bool:
     )
 
 
-def _parts(place: Meaning) -> tuple[Meaning, ...]:
+def parts_of(place: Meaning) -> tuple[Meaning, ...]:
     """What is said of a place, one by one: "so that it is behind it and on the left"."""
     if place.sort not in ("several", "predicate"):
         return (place,)
-    return tuple(found for part in place.parts for found in _parts(part))
+    return tuple(found for part in place.parts for found in parts_of(part))

@@ -42,6 +42,10 @@ _RICH_SHARE = 0.6  # of the examples are the richest of several: simple sentence
 _CANDIDATES = 3
 _MOST_ALTERNATIVES = 8  # what leaves more open is not said
 _REFERRING = frozenset(("it", "that", "this", "moved", "placed", "put", "picked"))
+_THINGS = frozenset(
+    "block cube box brick one piece object square blocks cubes boxes bricks ones pieces objects".split()
+)
+_STATING = frozenset(("is", "'s"))
 
 
 def generate(world: LaidWorld, rng: np.random.Generator, count: int, taken: Counter[str]) -> tuple[Example, ...]:
@@ -123,7 +127,7 @@ class _Making:
         try:
             groundings, outcome = annotate(tree, layout, self.world.arrangements)
         except NotAnnotatable:
-            if not any(leaf.text in _REFERRING for leaf in tree.leaves):
+            if not _points_back(tree):
                 return None
             history = (layout.ids[int(self.rng.integers(layout.size))],)
             try:
@@ -150,6 +154,18 @@ def written(tree: Phrase, rng: np.random.Generator) -> str:
         sentences = [sentence[:1].upper() + sentence[1:] for sentence in sentences]
     joint = ". " if stop or capital or rng.random() < 0.7 else ", "
     return joint.join(sentences) + ("." if stop and tree.tag != "NP" else "")
+
+
+def _points_back(tree: Phrase) -> bool:
+    """Whether a text speaks of what was handled before: it names nothing that may be meant, and states nothing."""
+    leaves = tree.leaves
+    first = next((i for i, leaf in enumerate(leaves) if leaf.text in _REFERRING), None)
+    if first is None or sum(leaf.text in ("that", "which") for leaf in leaves) > 1:
+        return False
+    named = any(leaf.text in _THINGS and i > 0 and leaves[i - 1].text not in _REFERRING
+                for i, leaf in enumerate(leaves[:first]))  # fmt: skip
+    stated = any(leaf.text in _STATING for leaf in leaves[first + 1 : first + 3])
+    return not named and (not stated or leaves[first].tag.startswith("VB"))
 
 
 def _actions(symbols: frozenset[Symbol]) -> int:

@@ -6,6 +6,7 @@ from dataclasses import replace
 
 from grounding.corpus.meaning import Meaning, NotAnnotatable
 from grounding.corpus.selector import Selector
+from grounding.geometry.layout import Layout
 from grounding.language.tree import Phrase
 from grounding.symbols import Container, Region
 
@@ -148,6 +149,13 @@ class Narrowing:
 
     def _table(self) -> tuple[str, ...]:
         return tuple(item.id for item in self.layout.world.objects if item.type == "table")[:1]
+
+
+def noticed(layout: Layout, kinds: tuple[str, ...], color: str | None, number: int | None) -> bool:
+    """Whether something that was not laid, and does not catch the eye, looks a little like an arrangement."""
+    counts = frozenset() if number is None else frozenset((number,))
+    found = layout.fitting(kinds, layout.matching(None, color), counts)
+    return "tower" not in kinds and any(a.noticed for a in found)
 
 
 def _means_member(modifier: Meaning) -> bool:

@@ -96,6 +96,8 @@ class NounPhrases(PlacePhrases):
 
     def _one(self, phrase: Phrase, head: Meaning, modifier: Meaning) -> Meaning:
         new, kind, upright = self._narrowed(phrase, head, modifier)
+        if new.index is not None and new.index > new.pool.bit_count():
+            new = replace(new, pool=0)  # there are not so many
         chosen, unclear = 0, False
         try:
             chosen = self._chosen(phrase, new, modifier, kind, upright)

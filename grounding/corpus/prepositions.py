@@ -280,6 +280,8 @@ class Prepositions:
         """Behind a green block: behind one of those that are possible; touching two: touching so many of them."""
         if child.sort == "many" and child.definite:
             raise NotAnnotatable(f"PP {phrase.text!r}: there are not so many")
+        if child.ranks or child.index is not None:
+            raise NotAnnotatable(f"PP {phrase.text!r}: which one is open")
         if child.sort not in ("one", "many") or not 0 < child.pool.bit_count() <= MOST_REFERENCES:
             raise NotAnnotatable(f"PP {phrase.text!r}: its reference is not determined")
         number = 1 if child.sort == "one" else child.number or 2
@@ -290,7 +292,7 @@ class Prepositions:
         elif contact or number > 1:
             restricts = self._at_least(phrase, child.pool, number, relation, contact)
         return Meaning("region", frozenset({region}), region=region, preposition=preposition, contact=contact,
-                       restricts=restricts)  # fmt: skip
+                       restricts=restricts, indefinite=child.indefinite)  # fmt: skip
 
     def _each_of_two(self, phrase: Phrase, child: Meaning, relation: str, preposition: str, contact: bool) -> Meaning:
         """Between a red and a blue block; touching one of each."""

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from grounding.corpus.clusters import clusters
 from grounding.corpus.meaning import Meaning, NotAnnotatable
-from grounding.corpus.narrowing import RESTRICTING, SILENT, Narrowing
+from grounding.corpus.narrowing import RESTRICTING, SILENT, Narrowing, noticed
 from grounding.geometry.masks import indices_of
 from grounding.language.tree import Phrase
 from grounding.symbols import Container, ContainerAttribute, Region, Symbol
@@ -22,6 +22,8 @@ class SetPhrases(Narrowing):
             new = self._directed(phrase, head, modifier)
             pool, carried = new.pool, new.carried
             chosen = self.select.count(phrase, pool, number, relation)
+        elif modifier.sort == "direction" and modifier.relation and modifier.preposition in ("closest", "farthest"):
+            chosen = self.select.count(phrase, pool, number, modifier.relation)
         elif modifier.sort == "direction" and modifier.relation and modifier.index is None:
             chosen, kind = self._many_at(phrase, head, modifier.relation)
         elif modifier.sort in ("robot", "speaker"):
@@ -68,6 +70,8 @@ class SetPhrases(Narrowing):
             chosen = self.select.count(phrase, pool, number, relation)
         else:
             raise NotAnnotatable(f"{phrase.text!r}: a {modifier.sort} says nothing of blocks")
+        if number is not None and number > pool.bit_count():
+            pool = chosen = 0  # there are not so many
         attribute = ContainerAttribute(head.object_type, head.color, relation, number)
         symbols: frozenset[Symbol]
         symbols = self.select.contained(kind, chosen) if chosen else carried | {attribute}
@@ -153,4 +157,6 @@ class SetPhrases(Narrowing):
             cands = [a for a in cands if not a[1] & ~(wanted if not modifier.chosen else pool | wanted)]
             if number:
                 cands = [a for a in cands if a[1].bit_count() == number]
+            if not cands and noticed(self.layout, head.kinds, modifier.color, number):
+                raise NotAnnotatable("it is hard to say whether there is one")
         return cands, frozenset(s for s in modifier.symbols if isinstance(s, ContainerAttribute))

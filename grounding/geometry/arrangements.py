@@ -56,6 +56,11 @@ class Arrangement:
         fit = np.exp(-((self.deviation / 0.35) ** 2) - (self.angle / 0.4) ** 2 - ((1 - self.regularity) / 0.6) ** 2)
         return float(fit) * float(self.count - (1.0 if self.kind != "circle" else 2.0)) * min(self.separation, 1.5)
 
+    @property
+    def noticed(self) -> bool:
+        """Whether people who look for one might take it for one, evident or not."""
+        return self.prominence > (0.0 if self.kind == "group" else 0.3)
+
     @cached_property
     def evident(self) -> bool:
         """Whether people would name it without being asked: enough members, well formed, apart from others."""

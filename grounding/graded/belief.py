@@ -69,11 +69,16 @@ class GradedBelief:
     readings: tuple[GradedReading, ...]
     truth: float
 
-    def parses(self) -> tuple[int, ...]:
-        """The parses by their share of belief, the likeliest first."""
+    def shares(self) -> dict[int, float]:
+        """The share of belief of every parse that was read."""
         shares: dict[int, float] = {}
         for reading in self.readings:
             shares[reading.place] = shares.get(reading.place, 0.0) + reading.share
+        return shares
+
+    def parses(self) -> tuple[int, ...]:
+        """The parses by their share of belief, the likeliest first."""
+        shares = self.shares()
         return tuple(sorted(shares, key=lambda place: -shares[place]))
 
     def destination(self, objects: tuple[str, ...]) -> Destination | None:

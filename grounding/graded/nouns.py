@@ -31,6 +31,7 @@ class Noun:
         plural: whether several are meant.
         ordinals: ranks, -1 for the last.
         distance: "near" or "far", a rank by distance.
+        far: whether "far" is said, of a place or a thing.
         directions: that words before the head name.
         middle: whether the middle is asked for.
         lone: whether it stands apart.
@@ -56,6 +57,7 @@ class Noun:
     plural: bool = False
     ordinals: tuple[int, ...] = ()
     distance: str | None = None
+    far: bool = False
     directions: tuple[str, ...] = ()
     middle: bool = False
     lone: bool = False
@@ -141,6 +143,7 @@ def _merged(head: Noun, own: Noun) -> Noun:
         number=head.number or own.number,
         ordinals=head.ordinals or own.ordinals,
         distance=head.distance or own.distance,
+        far=head.far or own.far,
         directions=(*own.directions, *head.directions),
         middle=head.middle or own.middle,
         lone=head.lone or own.lone,
@@ -277,7 +280,7 @@ class _Reading:
         if text in ("it", "them", "itself", "they"):
             self.heads.append("pronoun")
             return
-        if text not in _SKIPPED and word.tag not in ("DT", "PDT", "IN", "TO", "CC", "RB", "PRP$", "POS"):
+        if text not in _SKIPPED and word.tag not in ("DT", "PDT", "IN", "TO", "CC", "RB", "PRP$", "POS", "UH"):
             self.unknown.append(text)
             self.named_strangely = word.tag in ("NN", "NNS", "NNP") and last
 
@@ -325,7 +328,7 @@ class _Reading:
         if head == "block" and self.stacked:
             modifiers = (*modifiers, _IN_TOWER)  # "the stacked block"
         strange = self.named_strangely and not self.heads
-        return Noun(head=head, kinds=kinds, modifiers=modifiers, strange=strange,
+        return Noun(head=head, kinds=kinds, modifiers=modifiers, strange=strange, far=self.away,
                     colors=tuple(self.colors), counted=tuple(self.counted),
                     ordinals=tuple(self.ordinals), directions=tuple(self.directions), unknown=tuple(self.unknown),
                     text=text, **said)  # type: ignore[arg-type]  # fmt: skip

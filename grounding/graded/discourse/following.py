@@ -19,7 +19,7 @@ def read_text(tree: Phrase, reader: Reader) -> Told:
         told.continued = any(_resumes(further) for further in clauses[place + 1 :])
         _follow(clause, reader, told)
     if told.target is None and told.mentioned is not None:
-        told.target = told.mentioned
+        told.target, told.sets = told.mentioned, told.mentioned_sets
     if told.target is None:
         _guess(tree, reader, told)
     told.whole = tree

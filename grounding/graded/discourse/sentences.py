@@ -123,8 +123,9 @@ def _gives_or_gets(sentence: Sentence, reader: Reader, told: Told) -> bool:
         return False
     whole = sentence.has(LOSING | PARTING) and not sentence.has(COMING)
     take(giver, reader, told, None if whole or not sentence.named else reader.value_of(sentence.named[0]))
-    told.kind = "place"
-    told.destination += gained(sentence.verbs, sentence.parts)
+    where = gained(sentence.verbs, sentence.parts)
+    told.kind = "place" if where or not sentence.has(LOSING) else "pick"
+    told.destination += where
     return True
 
 
@@ -184,7 +185,7 @@ def _says_where_it_goes(sentence: Sentence, reader: Reader, told: Told) -> bool:
 
 def _orders(sentence: Sentence, reader: Reader, told: Told) -> bool:
     """For example "the red block should be on the tower", "the red block is moved to the left"."""
-    if not sentence.fresh or told.target is not None:
+    if told.target is not None or not (sentence.fresh or (sentence.subjects and reader.history)):
         return False
     if not (sentence.has(ORDERING) or (sentence.has(BEING) and sentence.has(MOVED))):
         return False

@@ -28,6 +28,7 @@ class Told:
         target: how well each object is what shall be handled, shape (n,), or None.
         sets: where several are.
         mentioned: what was spoken of last, shape (n,), or None.
+        mentioned_sets: where that were several.
         plural: whether that were several.
         kind: of action.
         destination: phrases that tell where to, the words of their clauses as phrases of their own.
@@ -39,6 +40,7 @@ class Told:
     target: Array | None = None
     sets: tuple[tuple[np.ndarray, float], ...] = ()
     mentioned: Array | None = None
+    mentioned_sets: tuple[tuple[np.ndarray, float], ...] = ()
     plural: bool = False
     kind: str = "pick"
     destination: list[Phrase] = field(default_factory=list)
@@ -124,6 +126,7 @@ def mention(noun: Noun, reader: Reader, told: Told) -> None:
     value = reader.noun(noun)
     if value.kind in ("objects", "sets") and value.weights.any():
         told.mentioned = value.weights / float(value.weights.max())
+        told.mentioned_sets = value.sets if value.kind == "sets" else ()
         told.plural = value.kind == "sets"
 
 

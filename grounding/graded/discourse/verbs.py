@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from grounding.graded.words import distance
 from grounding.language.tree import Phrase
 
 HANDLING = {
@@ -12,7 +13,7 @@ HANDLING = {
              "creates forms falls drops returns needs mover relocates swaps switch offset joined go sit join "
              "lands rests reposition repositions scoot scoots pushes pulls drags transfers heads shoots swings slips "
              "descends rises climbs comes ascends nudge nudges hugs meets attaches connects fills add adds tuck tucks "
-             "tips rest hide hides fill slid pushed turns transport transports switches".split(),
+             "tips rest hide hides fill slid pushed turns transport transports switches repositioned come".split(),
     "clear": "clear remove".split(),
 }  # fmt: skip
 SETTING_OFF = frozenset(
@@ -45,10 +46,20 @@ def is_verbal(text: str) -> bool:
     return text in LOOKING or text in BEING or any(text in words for words in HANDLING.values())
 
 
+def _goes_away(clause: Phrase) -> bool:
+    """Whether the particle of a clause's own verb says so: "take it away"."""
+    if any(child.tag == "PRT" and child.text in ("away", "aside") for child in clause.phrases):
+        return True
+    return any(_goes_away(child) for child in clause.phrases if child.tag in ("VP", "S"))
+
+
 def kind_of(verbs: list[str], clause: Phrase) -> str | None:
     """What the verbs ask for; "move it away" asks to clear it, and wanting is no action where another verb is."""
     found = {kind for kind, words in HANDLING.items() for verb in verbs if verb in words and verb not in _WANTING}
-    if found <= {"place"} and found and {"away", "aside"} & {leaf.text for leaf in clause.leaves[-2:]}:
+    last = [leaf.text for leaf in clause.leaves]
+    if found <= {"place"} and found and {"away", "aside"} & set(last[-2:]) and not any(map(distance, last[-3:-1])):
+        return "clear"
+    if found and "pick" not in verbs and _goes_away(clause):
         return "clear"
     for kind in ("place", "clear", "pick"):
         if kind in found:

@@ -1,0 +1,78 @@
+"""What the parses of a text ask for literally: the reading of the one that agrees best with the world."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from grounding.graded.belief import GradedBelief
+from grounding.graded.scene import Scene
+from grounding.language.parser import Parse
+from grounding.literal.texts import Literal, read_literally
+
+LIKELY = 0.1  # parses with a smaller share of the graded belief say nothing literally
+
+Option = tuple[str, tuple[str, ...]]
+
+
+@dataclass(frozen=True)
+class LiteralBelief:
+    """The literal reading of a text.
+
+    Attributes:
+        options: (action, ids) that it leaves, with equal shares; none where it is silent or something is missing.
+        missing: what is not there, as a sentence for people; "" where all is, or where that is not known.
+        limit: that is believed where the graded reading agrees less with the world than this.
+        placed: whether it is plain where to, as far as that was read.
+        vague: whether relations were read on which eyes differ.
+    """
+
+    options: tuple[tuple[Option, float], ...] = ()
+    missing: str = ""
+    limit: float = 0.0
+    placed: bool = True
+    vague: bool = False
+
+    @property
+    def is_open(self) -> bool:
+        """Whether the words hold of several things alike."""
+        return len(self.options) > 1
+
+
+SILENT = LiteralBelief()
+
+
+def believe_literally(
+    parses: Sequence[Parse], scene: Scene, graded: GradedBelief, history: Sequence[str] = ()
+) -> LiteralBelief:
+    """Read the likely parses literally; what singles something out is preferred, and what is there to what is missing.
+
+    Args:
+        parses: of the text, the likeliest first.
+        scene: the world.
+        graded: the graded readings of the parses.
+        history: ids of the objects handled before, the latest last.
+    """
+    index = scene.layout.index
+    handled = tuple(index[name] for name in history if name in index)
+    shares = graded.shares() or {0: 1.0}
+    found: list[Literal] = []
+    for place in sorted(shares, key=lambda place: -shares[place]):
+        if shares[place] < LIKELY:
+            break
+        literal = read_literally(parses[place].tree, scene, handled)
+        if literal is None and not found:
+            return SILENT
+        if literal is None:
+            continue
+        found.append(literal)
+        if len(literal.options) == 1:
+            break
+    best = min(found, key=lambda literal: len(literal.options) or len(parses) + scene.n, default=None)
+    if best is None:
+        return SILENT
+    if not best.options:
+        return LiteralBelief(missing=best.missing, limit=best.limit)
+    share = 1.0 / len(best.options)
+    options = tuple(((best.kind, names), share) for names in best.options)
+    return LiteralBelief(options, placed=best.placed, vague=best.vague)

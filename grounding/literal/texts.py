@@ -1,0 +1,120 @@
+"""Texts, read literally: what they ask to be handled, or what of it is not there."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from grounding.graded.discourse import read_text
+from grounding.graded.nouns import Noun, read_noun
+from grounding.graded.reader import Reader
+from grounding.graded.scene import Scene
+from grounding.language.tree import Phrase
+from grounding.literal.reader import LiteralReader
+from grounding.literal.values import FIRM, Missing, Unread
+from grounding.world import Array
+
+HOLDS = 0.5
+_BACK = frozenset("it its itself them their".split())
+_POINTING = frozenset("the that this".split())
+_FORMING = frozenset("form forms make makes making create creates become becomes forming".split())
+
+
+@dataclass(frozen=True)
+class Literal:
+    """What a text means literally.
+
+    Attributes:
+        options: ids of what may be handled; one where it is plain what is meant.
+        missing: what is not there, as a sentence for people; "" where all is.
+        limit: that is believed where the graded reading agrees less with the world than this.
+        kind: of action.
+        placed: whether it is plain where to.
+        vague: whether relations were read on which eyes differ.
+    """
+
+    options: tuple[tuple[str, ...], ...] = ()
+    missing: str = ""
+    limit: float = 0.0
+    kind: str = "pick"
+    placed: bool = True
+    vague: bool = False
+
+
+def read_literally(tree: Phrase, scene: Scene, history: Sequence[int] = ()) -> Literal | None:
+    """Read a text literally; None where that is not possible.
+
+    Args:
+        tree: its parse.
+        scene: the world.
+        history: indices of the objects handled before, the latest last.
+    """
+    reader = LiteralReader(scene, tuple(history))
+    try:
+        told = read_text(tree, reader)  # type: ignore[arg-type]
+        if told.target is None or told.doubt:
+            return None
+        vague = reader.vague
+        placed = _check(told.destination, told.target, reader)
+    except Missing as missing:
+        return Literal(missing=str(missing), limit=missing.limit)
+    except Unread:
+        return None
+    ids = scene.layout.ids
+    if told.sets:
+        options = [tuple(ids[i] for i in np.flatnonzero(mask)) for mask, _ in told.sets]
+        return Literal(tuple(dict.fromkeys(options)), kind=told.kind, placed=placed, vague=vague)
+    members = np.flatnonzero(told.target > HOLDS)
+    if not len(members):
+        return None
+    return Literal(tuple((ids[i],) for i in members), kind=told.kind, placed=placed, vague=vague)
+
+
+def _check(destination: Sequence[Phrase], target: Array, reader: LiteralReader) -> bool:
+    """Whether it is plain where to a destination leads; not what is to be formed there.
+
+    Raises:
+        Missing: something that it speaks of is not there.
+    """
+    plain = True
+    if any(leaf.text in _FORMING for piece in destination for leaf in piece.leaves):
+        return plain
+    for piece in destination:
+        for phrase in _named(piece):
+            noun = read_noun(phrase)
+            if any(leaf.text in _BACK for leaf in phrase.leaves) or _measures(noun):
+                continue
+            try:
+                meant = reader.meant(noun)
+            except Unread:
+                continue
+            except Missing as missing:
+                graded = Reader(reader.scene, history=reader.history).value(phrase).weights
+                if "tower" in noun.kinds:
+                    continue  # people call what is lower or higher by the same name, and look from above
+                if noun.head == "container" or missing.limit == FIRM or float(graded.max(initial=0.0)) < missing.limit:
+                    raise Missing(str(missing), FIRM) from missing
+                continue
+            leads = piece.tag in ("PP", "SBAR") and not {"from", "of"} & {word.text for word in piece.words}
+            if leads and meant.chosen and all(target[i] > HOLDS for i in reader.members(meant.chosen)):
+                raise Missing(f"{phrase.text!r} is what is to be moved itself", FIRM)
+            told = noun.colors and not noun.modifiers and phrase.leaves[0].text in _POINTING
+            plain &= bool(meant.chosen) or not told or meant.plural
+    return plain
+
+
+def _measures(noun: Noun) -> bool:
+    """Whether a noun may measure a distance: "three blocks", "almost five tiles"."""
+    bare = not (noun.colors or noun.modifiers or noun.directions or noun.distance or noun.middle or noun.lone)
+    return noun.head == "measure" or (bare and "the" not in noun.text.split())
+
+
+def _named(phrase: Phrase) -> Iterator[Phrase]:
+    """The noun phrases of things that are not within others."""
+    if phrase.tag == "NP" and read_noun(phrase).head in ("block", "container"):
+        yield phrase
+        return
+    for child in phrase.phrases:
+        yield from _named(child)
