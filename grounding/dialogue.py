@@ -84,11 +84,11 @@ def decide(
     refusal = forbidden(tree)
     if refusal is not None:
         return Grounding(text, "not_understood", explanation=refusal, unknown_words=words, phrases=phrases)
-    if graded is not None and not (graded.options and graded.truth > 0):
+    if graded is not None and not (graded.options and graded.truth > 0) and not literal.options:
         graded = None
     if literal.missing and (graded is None or graded.truth < literal.limit):
         return Grounding(text, "no_referent", explanation=literal.missing, unknown_words=words, phrases=phrases)
-    if graded is None or graded.truth < CREDIBLE:
+    if (graded is None or graded.truth < CREDIBLE) and not literal.options:
         missing = whats_missing(tree, scene) if graded is not None or found[0].actions else None
         if missing is not None:
             words = tuple(dict.fromkeys((*words, *unknown_things(tree, scene.layout))))
@@ -101,9 +101,8 @@ def decide(
         return Grounding(text, why.outcome, explanation=why.explanation, unknown_words=why.words, phrases=phrases)
     result = _outcome(text, believed, scene)
     if result.outcome == "grounded" and result.actions[0].action == "place" and not literal.placed:
-        why = "what is said of the place holds of several things"
         result = replace(result, outcome="ambiguous", actions=(), alternatives=result.actions, question=_WHICH_PLACE,
-                         explanation=why)  # fmt: skip
+                         explanation="what is said of the place holds of several things")  # fmt: skip
     if result.outcome == "ambiguous":
         missing = unknown_named(tree, scene)
         if missing is not None:

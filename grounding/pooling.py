@@ -18,7 +18,7 @@ FAMILIAR = 16  # texts of more words are unlike those that the factors were lear
 PLAIN = 7  # with every word more than these, more may have been misunderstood as a whole
 DOUBT_PER_WORD = 0.012
 MOST_DOUBT = 0.15
-LITERAL = 30.0  # what holds literally is so many times likelier than what does not
+LITERAL = 3000.0  # what holds literally is so many times likelier than what does not
 KIND_WORTH = 0.3  # of what the factors say of the kind of action, beside what the clauses' verbs say
 
 Objects = tuple[str, ...]
@@ -66,12 +66,12 @@ def pool(
             names[objects] = (pair[0], pair[1])
             of = kinds.setdefault(objects, {})
             of[kind] = of.get(kind, 0.0) + worth * share
-    for (kind, objects), share in literal if graded else ():
+    for (kind, objects), share in literal:
         sharp[objects] = sharp.get(objects, 0.0) + share
         names.setdefault(objects, (0.0, 0.0))
         of = kinds.setdefault(objects, {})
         of[kind] = of.get(kind, 0.0) + share
-    if not graded:
+    if not graded and not literal:
         weights = {objects: f for objects, (f, _) in names.items()}
     else:
         power = FACTOR_POWER * min(1.0, FAMILIAR / max(words, 1)) ** 2

@@ -18,6 +18,7 @@ from grounding.world import Array
 
 HOLDS = 0.5
 _BACK = frozenset("it its itself them their".split())
+_POINTING = frozenset("the that this".split())
 _FORMING = frozenset("form forms make makes making create creates become becomes forming".split())
 
 
@@ -99,7 +100,7 @@ def _check(destination: Sequence[Phrase], target: Array, reader: LiteralReader) 
             leads = piece.tag in ("PP", "SBAR") and not {"from", "of"} & {word.text for word in piece.words}
             if leads and meant.chosen and all(target[i] > HOLDS for i in reader.members(meant.chosen)):
                 raise Missing(f"{phrase.text!r} is what is to be moved itself", FIRM)
-            told = noun.colors and not noun.modifiers and noun.definite
+            told = noun.colors and not noun.modifiers and phrase.leaves[0].text in _POINTING
             plain &= bool(meant.chosen) or not told or meant.plural
     return plain
 
