@@ -28,7 +28,7 @@ MARGIN = 1.35  # and so many times likelier than the next one
 TIE = 1.1  # graded readings whose shares differ by less do not tell two things apart
 WHOLLY = 0.9  # words that agree with the world so well hold of what they are said of
 CREDIBLE = 0.1  # what agrees less with the world is not answered where something is seen to be missing
-OPEN = 20.0  # what the words literally hold of alike with others has to be so many times likelier than those
+OPEN = 60.0  # what the words literally hold of alike with others has to be so many times likelier than those
 CONFIDENT = 0.62  # by the factors alone an answer is given when it is so likely
 EVEN = 0.2  # where many are possible, those that are at most so much less likely than the best are
 LISTED = 0.01  # alternatives less likely than this are not worth naming
@@ -84,11 +84,11 @@ def decide(
     refusal = forbidden(tree)
     if refusal is not None:
         return Grounding(text, "not_understood", explanation=refusal, unknown_words=words, phrases=phrases)
-    if graded is not None and not (graded.options and graded.truth > 0):
+    if graded is not None and not (graded.options and graded.truth > 0) and not literal.options:
         graded = None
     if literal.missing and (graded is None or graded.truth < literal.limit):
         return Grounding(text, "no_referent", explanation=literal.missing, unknown_words=words, phrases=phrases)
-    if graded is None or graded.truth < CREDIBLE:
+    if (graded is None or graded.truth < CREDIBLE) and not literal.options:
         missing = whats_missing(tree, scene) if graded is not None or found[0].actions else None
         if missing is not None:
             words = tuple(dict.fromkeys((*words, *unknown_things(tree, scene.layout))))
@@ -101,9 +101,8 @@ def decide(
         return Grounding(text, why.outcome, explanation=why.explanation, unknown_words=why.words, phrases=phrases)
     result = _outcome(text, believed, scene)
     if result.outcome == "grounded" and result.actions[0].action == "place" and not literal.placed:
-        why = "what is said of the place holds of several things"
         result = replace(result, outcome="ambiguous", actions=(), alternatives=result.actions, question=_WHICH_PLACE,
-                         explanation=why)  # fmt: skip
+                         explanation="what is said of the place holds of several things")  # fmt: skip
     if result.outcome == "ambiguous":
         missing = unknown_named(tree, scene)
         if missing is not None:
@@ -162,8 +161,8 @@ def _needed(graded: GradedBelief, literal: LiteralBelief) -> float:
     Words that hold fully of several things cannot tell them apart; where they hold as well of another in part,
     the factors alone must be surer.
     """
-    if literal.options:
-        return OPEN if literal.is_open and not literal.vague else MARGIN
+    if literal.options and not (literal.is_open and literal.vague):
+        return OPEN if literal.is_open else MARGIN
     shares = [share for _, share in graded.options[:2]]
     if len(shares) < 2 or shares[0] >= TIE * shares[1]:
         return MARGIN

@@ -1,8 +1,8 @@
 """Pools what the factors of the ADCG and the graded readings believe into one probability for every option.
 
-The pool is log-linear: p(o) is proportional to (g(o) + e)^a (f(o) + d)^b, with g and f the shares of the graded
-readings and of the factors. Where a text is unlike what the factors were trained on they believe in
-nothing or in the wrong thing, so that their silence is weak evidence: d is large.
+The pool is log-linear: p(o) is proportional to ((g(o) + e) (1 + k l(o)))^a (f(o) + d)^b, with g, l and f the shares of
+the graded readings, of the literal one and of the factors. Where a text is unlike what the factors were trained on they
+believe in nothing or in the wrong thing, so that their silence is weak evidence: d is large.
 """
 
 from __future__ import annotations
@@ -66,18 +66,18 @@ def pool(
             names[objects] = (pair[0], pair[1])
             of = kinds.setdefault(objects, {})
             of[kind] = of.get(kind, 0.0) + worth * share
-    for (kind, objects), share in literal if graded else ():
+    for (kind, objects), share in literal:
         sharp[objects] = sharp.get(objects, 0.0) + share
         names.setdefault(objects, (0.0, 0.0))
         of = kinds.setdefault(objects, {})
         of[kind] = of.get(kind, 0.0) + share
-    if not graded:
+    if not graded and not literal:
         weights = {objects: f for objects, (f, _) in names.items()}
     else:
         power = FACTOR_POWER * min(1.0, FAMILIAR / max(words, 1)) ** 2
         weights = {
-            objects: (g + GRADED_FLOOR) ** GRADED_POWER * (f + FACTOR_FLOOR) ** power
-            * (1.0 + LITERAL * sharp.get(objects, 0.0))
+            objects: ((g + GRADED_FLOOR) * (1.0 + LITERAL * sharp.get(objects, 0.0))) ** GRADED_POWER
+            * (f + FACTOR_FLOOR) ** power
             for objects, (f, g) in names.items()
         }
     total = sum(weights.values())

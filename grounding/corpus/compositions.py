@@ -63,7 +63,7 @@ def dressed(world: World, rng: np.random.Generator) -> World:
 def recognise(name: str, world: World, containers: Iterable[Container] = ()) -> LaidWorld:
     """Digest a world: the arrangements that were laid, if known, and those that catch the eye.
 
-    What was laid counts if it is seen, a group if it catches the eye as a whole and stands apart from what lies around it.
+    What was laid counts if it is seen, a group if it catches the eye as a whole and stands apart from what lies around.
     """
     laid = lay(name, world, containers)
     by_members = laid.layout.by_members

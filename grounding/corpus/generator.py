@@ -42,7 +42,9 @@ _RICH_SHARE = 0.6  # of the examples are the richest of several: simple sentence
 _CANDIDATES = 3
 _MOST_ALTERNATIVES = 8  # what leaves more open is not said
 _REFERRING = frozenset(("it", "that", "this", "moved", "placed", "put", "picked"))
-_THINGS = frozenset("block cube box brick one piece object square blocks cubes boxes bricks ones pieces objects".split())
+_THINGS = frozenset(
+    "block cube box brick one piece object square blocks cubes boxes bricks ones pieces objects".split()
+)
 _STATING = frozenset(("is", "'s"))
 
 
@@ -155,7 +157,7 @@ def written(tree: Phrase, rng: np.random.Generator) -> str:
 
 
 def _points_back(tree: Phrase) -> bool:
-    """Whether a text speaks of what was handled before: nothing that it names itself can be meant, nothing is stated."""
+    """Whether a text speaks of what was handled before: it names nothing that may be meant, and states nothing."""
     leaves = tree.leaves
     first = next((i for i, leaf in enumerate(leaves) if leaf.text in _REFERRING), None)
     if first is None or sum(leaf.text in ("that", "which") for leaf in leaves) > 1:

@@ -7,10 +7,8 @@ import numpy as np
 from grounding.graded.scene import Scene
 from grounding.world import Array
 
-_ALIASES = {
-    "blue": ("purple",), "purple": ("blue",), "orange": ("red", "brown"), "red": ("orange", "pink"),
-    "yellow": ("orange",), "gray": ("white", "black"), "brown": ("orange",), "pink": ("red", "purple"),
-}  # fmt: skip
+_ALIASES = {"purple": ("blue",), "gray": ("white", "black"), "brown": ("orange",), "pink": ("red", "purple")}
+"""The basic colours are not taken for others: "red" where nothing is red means something that is not there."""
 
 
 def colored(scene: Scene, colors: tuple[str, ...]) -> Array:

@@ -43,7 +43,8 @@ _AGENTS = {
     "robot": "you your yourself robot yours baxter them their theirs his",
     "speaker": "me my myself i mine us our",
 }
-_LONE = frozenset("lone alone single solitary isolated lonely sole solo itself standalone own separate loner".split())
+_LONE = frozenset("lone alone single solitary isolated lonely sole solo itself standalone own separate loner loose "
+                  "stray unstacked freestanding free-standing".split())  # fmt: skip
 _OTHER = frozenset("other another remaining else".split())
 _APART = frozenset("separated apart isolated detached separate away".split())
 _TOUCHING = frozenset("touching touches touch adjacent flush against connected contacting attached joined abutting "

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -13,9 +13,10 @@ from grounding.graded.nouns import Noun, read_noun
 from grounding.language.tree import Phrase
 from grounding.literal.choosing import side_of_all, toward
 from grounding.literal.places import names_of, says_unknown
-from grounding.literal.values import FAINT, FIRM, Meant, Member, Missing, Narrow, Order, Sided, Unread, Viewed
+from grounding.literal.values import FAINT, FIRM, Meant, Missing, Narrow, Order, Sided, Unread, Viewed
 from grounding.numbers import spelled
 from grounding.symbols import LAST
+from grounding.world import Array
 
 if TYPE_CHECKING:
     from grounding.literal.reader import LiteralReader
@@ -24,6 +25,7 @@ SLANTED = 0.45  # a line that deviates from both axes by more is a diagonal [rad
 APART = 1.6  # the nearest other block is so many times farther from a group than its members are from each other
 SET_APART = 0.05  # the arrangement that is meant is so much further along than the next [m]
 Found = list[tuple[str, int]]
+Score = Callable[[int], float]
 
 
 def mean_arrangement(reader: LiteralReader, noun: Noun) -> Meant:
@@ -120,17 +122,16 @@ def _content(modifier: Phrase) -> Noun | None:
 def _chosen(reader: LiteralReader, noun: Noun, found: Found, rest: list[Phrase], number: int | None) -> Meant:
     layout, scene = reader.layout, reader.scene
     names = names_of(noun)
-    key, side = None, ""
+    key: Score | None = None
+    side = ""
     if len(names) == 1:
         key, side = _along(reader, names[0]), names[0]
     elif names:
         key = _by(toward(scene, names))
     index = noun.ordinals[0] if noun.ordinals else None
     everything = Noun(head="block", text=noun.text)
-    from grounding.literal.modifiers import modify
-
     for modifier in rest:
-        for effect in modify(reader, modifier, everything, layout.everything):
+        for effect in reader.modify(modifier, everything, layout.everything):
             match effect:
                 case Narrow(mask):
                     found = [a for a in found if not a[1] & ~mask]
@@ -157,7 +158,7 @@ def _chosen(reader: LiteralReader, noun: Noun, found: Found, rest: list[Phrase],
     return Meant("things", best[1], best[1], kind, True, number, noun.definite, (best,))
 
 
-def _along(reader: LiteralReader, name: str):  # type: ignore[no-untyped-def]
+def _along(reader: LiteralReader, name: str) -> Score:
     layout = reader.layout
     flat = UPRIGHT.get(name, name)
     if flat == "center":
@@ -166,18 +167,22 @@ def _along(reader: LiteralReader, name: str):  # type: ignore[no-untyped-def]
     return lambda mask: float(layout.extent(mask, flat).mean())
 
 
-def _by(key):  # type: ignore[no-untyped-def]
+def _sized(order: int) -> Score:
+    return lambda mask: 0.06 * order * mask.bit_count()
+
+
+def _by(key: Callable[[int], Array]) -> Score:
     return lambda mask: float(key(mask).max())
 
 
-def _best(found: Found, key, index: int | None, noun: Noun) -> tuple[str, int] | None:  # type: ignore[no-untyped-def]
+def _best(found: Found, key: Score | None, index: int | None, noun: Noun) -> tuple[str, int] | None:
     """The one that is meant; None where it is open."""
     if noun.other:
         return found[0] if len(found) == 1 else None
     if len(found) == 1:
         return found[0] if index in (None, 1, LAST) else None
     if key is None and noun.size:
-        key = lambda mask: 0.06 * noun.size * mask.bit_count()  # noqa: E731
+        key = _sized(noun.size)
     if key is None:
         return None
     score = [key(mask) for _, mask in found]
@@ -188,15 +193,3 @@ def _best(found: Found, key, index: int | None, noun: Noun) -> tuple[str, int] |
         if a >= 0 and b < len(order) and score[order[a]] - score[order[b]] < SET_APART:
             raise Unread("too close to call")
     return found[order[place]]
-
-
-def resolved(meant: Meant, pool: int) -> Meant:
-    """What of several sets lies within others; itself where that leaves it open."""
-    inside = [a for a in meant.sets if not a[1] & ~pool]
-    if len(inside) != 1:
-        return meant
-    kind, mask = inside[0]
-    return replace(meant, pool=mask, chosen=mask, kind=kind, sets=tuple(inside))
-
-
-__all__ = ["Member", "mean_arrangement", "resolved"]

@@ -74,4 +74,5 @@ def believe_literally(
     if not best.options:
         return LiteralBelief(missing=best.missing, limit=best.limit)
     share = 1.0 / len(best.options)
-    return LiteralBelief(tuple(((best.kind, names), share) for names in best.options), placed=best.placed, vague=best.vague)
+    options = tuple(((best.kind, names), share) for names in best.options)
+    return LiteralBelief(options, placed=best.placed, vague=best.vague)

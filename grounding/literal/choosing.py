@@ -19,6 +19,7 @@ ALONE = 1.35  # something is alone where all others are so many edges away
 COMPANY = 1.0  # and is not where one is at most so many away
 CLOSER = 0.75  # of several in a direction the first is meant where it is so much closer than the next
 ASIDE = 0.8  # "directly" allows so many edges to the side
+_LYING = UPRIGHT | {"near": "front", "far": "back"}
 _FLAT = ("left", "right", "front", "back")
 
 
@@ -119,7 +120,7 @@ def half(scene: Scene, pool: int, name: str, *, clear: bool = True) -> int:
     Raises:
         Unread: no half is named so, or something lies across the middle.
     """
-    name = UPRIGHT.get({"near": "front", "far": "back"}.get(name, name), {"near": "front", "far": "back"}.get(name, name))
+    name = _LYING.get(name, name)
     if name not in _FLAT:
         raise Unread(f"no half {name}")
     centre, _ = _table(scene)
@@ -169,8 +170,9 @@ def touching(scene: Scene, index: int) -> int:
 
 def _gaps(scene: Scene) -> Array:
     """Free space between things in edges, also from one level to the next; infinite to themselves."""
-    rise = np.abs(scene.z[:, None] - scene.z[None]) / scene.edge - 1.0
-    gaps = scene.gaps / scene.edge
+    edges = (scene.layout.edges[:, None] + scene.layout.edges[None]) / 2
+    rise = np.abs(scene.z[:, None] - scene.z[None]) / edges - 1.0
+    gaps = scene.gaps / edges
     gaps = np.where(rise > -0.5, np.maximum(gaps, rise), gaps)
     return np.asarray(gaps + np.where(np.eye(scene.n, dtype=bool), np.inf, 0.0))
 

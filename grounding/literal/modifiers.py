@@ -2,25 +2,23 @@
 
 from __future__ import annotations
 
-from itertools import product
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from grounding.geometry.masks import indices_of, mask_of
 from grounding.graded import words as w
 from grounding.graded.nouns import Noun, read_noun
 from grounding.graded.scene import SPEAKER
 from grounding.language.lexicon import meanings
 from grounding.language.tree import Phrase, Word
-from grounding.literal.arrangements import resolved
-from grounding.literal.choosing import along, alone, from_reference, to_center, touching, toward
+from grounding.literal.choosing import alone, along, from_reference, to_center, toward
 from grounding.literal.places import NAMES, OPPOSITE, PARTS
-from grounding.literal.values import Effect, Meant, Member, Missing, Narrow, Order, Sided, Unread, Viewed
+from grounding.literal.relations import region_of
+from grounding.literal.values import Effect, Meant, Member, Narrow, Order, Sided, Unread, Viewed
 from grounding.symbols import Cardinal, ObjectColor, Ordinal, Region
 
 if TYPE_CHECKING:
     from grounding.literal.reader import LiteralReader
 
-MOST_REFERENCES = 8  # so many things a reference may leave open: "behind a green block"
 RELATIONS = {
     "behind": "back", "beyond": "back", "past": "back", "above": "above", "over": "above", "below": "below",
     "under": "below", "beneath": "below", "underneath": "below", "near": "near", "beside": "near", "by": "near",
@@ -28,12 +26,13 @@ RELATIONS = {
     "touching": "touching", "between": "between", "in between": "between", "atop": "top", "upon": "top",
     "in front of": "front",
 }  # fmt: skip
-_OF = frozenset(("in", "of", "from", "on", "at", "to", "off", "off of", "within", "inside", "among", "out of", "with",
+_OF = frozenset(("in", "of", "from", "on", "at", "to", "off", "off of", "within", "inside", "among", "out of",
                  "toward", "towards", "along", "for", "onto", "over to"))  # fmt: skip
 _STRICT = frozenset("directly immediately right just exactly".split())
-_ADVERBS = _STRICT | frozenset("away very slightly almost diagonally straight located situated placed positioned sitting "
-                               "standing lying also all the way far more most so that nearly still now completely "
-                               "both is are".split())  # fmt: skip
+_ADVERBS = _STRICT | frozenset(
+    "away very slightly almost diagonally straight located situated placed positioned sitting standing lying also all "
+    "the way far more most so that nearly still now completely both is are".split()
+)
 _REFUSED = frozenset("aligned level flush line parallel facing opposite diagonal separated than forming making across "
                      "around until not n't isn't without except surrounded same other".split())  # fmt: skip
 _CLAUSE = frozenset("is are 's was were that which who also still now completely located situated positioned placed "
@@ -76,7 +75,7 @@ def _clause(reader: LiteralReader, phrase: Phrase, texts: list[str], noun: Noun,
             raise Unread(phrase.text)
         return [Narrow(1 << reader.history[-1])]
     if {"touches", "touching"} & set(texts) and len(phrase.phrases) == 1:
-        return [_region(reader, reader.mean(phrase.phrases[0]), "touching", phrase)]
+        return [region_of(reader, reader.mean(phrase.phrases[0]), "touching", phrase)]
     if not set(texts) <= _CLAUSE:
         raise Unread(phrase.text)
     found: list[Effect] = []
@@ -95,8 +94,8 @@ def _predicate(reader: LiteralReader, noun: Noun, pool: int) -> list[Effect]:
         meant = reader.meant(noun) if noun.place else None
         if meant is not None:
             return _at(reader, meant, "", noun, None)
-        noun = reader.copied(noun, head="block")
-    meant = reader.meant(reader.copied(noun, head="block"), pool)
+        noun = replace(noun, head="block")
+    meant = reader.meant(replace(noun, head="block"), pool)
     return [Narrow(meant.chosen or meant.pool)]
 
 
@@ -149,6 +148,8 @@ def _relation(reader: LiteralReader, phrase: Phrase, words: list[Word], noun: No
         return [Narrow(mask_of(i for i in range(reader.scene.n) if not reader.scene.raised[i]))]
     if meant.sort == "table":
         if preposition in _OF or preposition in ("on", "onto"):
+            if reader.layout.stacked(pool):
+                raise Unread(phrase.text)  # some of them lie on others, not on the table
             return []
         raise Unread(phrase.text)
     if meant.sort == "agent":
@@ -168,7 +169,7 @@ def _relation(reader: LiteralReader, phrase: Phrase, words: list[Word], noun: No
     if preposition == "on" and meant.kind not in ("object", "tower"):
         relation = None
     if relation is not None:
-        narrow = _region(reader, meant, relation, phrase)
+        narrow = region_of(reader, meant, relation, phrase)
         return [Narrow(narrow.mask, narrow.region, strict, True)]
     if preposition in _OF:
         return [_member(reader, meant, preposition, pool, noun, phrase)]
@@ -229,7 +230,7 @@ def _bare(reader: LiteralReader, phrase: Phrase, texts: list[str], noun: Noun, p
             effects.append(Order(along(reader.layout, name), index, name))
         elif len(names) == 1 and phrase.tag == "ADJP" and len(told) == 1:
             effects.append(Sided(names[0]))
-        elif names and len(names) <= 2 and phrase.tag in ("ADVP", "ADJP", "PP") and text == told[-1] and w.is_extreme(text):
+        elif 0 < len(names) <= 2 and text == told[-1] and w.is_extreme(text):
             effects.append(Order(toward(reader.scene, names), index, "", 0.03) if len(names) > 1 else Sided(names[0]))
         else:
             raise Unread(phrase.text)
@@ -300,14 +301,15 @@ def _at(reader: LiteralReader, meant: Meant, preposition: str, noun: Noun, stric
     arranged = kind not in ("object", "robot")
     if arranged and len(meant.names) == 1 and whole.chosen and not _ranks(noun) and not noun.ordinals:
         member = name == "center" or (preposition == "at" and name in ("left", "right", "front", "back"))
-        member |= name in ("top", "bottom") and (kind == "tower" or (preposition in ("at", "in") and kind in ("row", "column")))
+        lying_end = preposition in ("at", "in") and kind in ("row", "column")
+        member |= name in ("top", "bottom") and (kind == "tower" or lying_end)
         member |= bool(meant.place) and preposition in ("at", "on", "in")
         if member:
             said = name if kind == "tower" else lying
             upright = kind == "tower"
             return [Member(whole.chosen, kind), Order(along(reader.layout, said, upright), None, said)]
     if len(meant.names) == 1 and name == "center" and whole.plural and whole.number == 2:
-        return [_region(reader, whole, "between", None)]
+        return [region_of(reader, whole, "between", None)]
     return _beside(reader, whole, list(meant.names), bool(strict), None)
 
 
@@ -325,7 +327,7 @@ def _beside(
         raise Unread("beside what?")
     found: list[Effect] = []
     for name in names:
-        narrow = _region(reader, whole, name, phrase)
+        narrow = region_of(reader, whole, name, phrase)
         found.append(Narrow(narrow.mask, narrow.region if len(names) == 1 else None, strict, True))
     return found
 
@@ -334,96 +336,13 @@ def _ranks(noun: Noun) -> bool:
     return bool(noun.directions or noun.distance or noun.middle or noun.far)
 
 
-def _region(reader: LiteralReader, meant: Meant, relation: str, phrase: Phrase | None) -> Narrow:
-    """What lies in a relation to what a noun phrase means."""
-    layout = reader.layout
-    text = phrase.text if phrase is not None else relation
-    if meant.sort != "things":
-        raise Unread(text)
-    if relation in ("above", "below"):
-        upright = "top" if relation == "above" else "bottom"
-        stands = meant.chosen and layout.within(Region(upright, meant.kind, layout.names(meant.chosen)))
-        relation = upright if stands else "back" if relation == "above" else "front"
-    if relation == "touching":
-        return Narrow(_in_contact(reader, meant, text), vague=True)
-    if relation == "between":
-        return Narrow(_between(reader, meant, text), vague=True)
-    if meant.parts and not meant.chosen:
-        masks = [_of_some(reader, part.chosen or part.pool, relation, 1, text) for part in meant.parts]
-        return Narrow(masks[0] & masks[1], vague=True)
-    if meant.chosen:
-        region = Region(relation, meant.kind, layout.names(meant.chosen))
-        return Narrow(layout.within(region), region, vague=True)
-    if meant.plural and meant.definite:
-        raise Unread(text)
-    number = (meant.number or 2) if meant.plural else 1
-    region = Region(relation, "object", layout.names(meant.pool))
-    if meant.pool.bit_count() > MOST_REFERENCES:
-        raise Unread(text)
-    if number == 1:
-        return Narrow(layout.within(region), region, vague=True)
-    return Narrow(_of_some(reader, meant.pool, relation, number, text), vague=True)
-
-
-def _of_some(reader: LiteralReader, pool: int, relation: str, number: int, text: str) -> int:
-    """What is in a relation to so many members of a set."""
-    if pool.bit_count() > MOST_REFERENCES:
-        raise Unread(text)
-    counts = [0] * reader.layout.size
-    for i in indices_of(pool):
-        if relation == "touching":
-            found = touching(reader.scene, i)
-        else:
-            found = reader.layout.within(Region(relation, "object", (reader.layout.ids[i],)))
-        for j in indices_of(found):
-            counts[j] += 1
-    return mask_of(j for j, count in enumerate(counts) if count >= number)
-
-
-def _in_contact(reader: LiteralReader, meant: Meant, text: str) -> int:
-    if meant.chosen and meant.kind not in ("object", "group"):
-        found = 0
-        for i in indices_of(meant.chosen):
-            found |= touching(reader.scene, i)
-        return found & ~meant.chosen
-    if meant.chosen:
-        found = reader.layout.everything & ~meant.chosen
-        for i in indices_of(meant.chosen):
-            found &= touching(reader.scene, i)
-        return found
-    if meant.parts:
-        masks = [_of_some(reader, part.chosen or part.pool, "touching", 1, text) for part in meant.parts]
-        return masks[0] & masks[1]
-    if meant.plural and meant.definite:
-        raise Unread(text)
-    return _of_some(reader, meant.pool, "touching", (meant.number or 2) if meant.plural else 1, text)
-
-
-def _between(reader: LiteralReader, meant: Meant, text: str) -> int:
-    layout = reader.layout
-    if not meant.plural or (not meant.parts and meant.number not in (2, None)):
-        raise Unread(text)
-    if meant.parts and not meant.chosen:
-        pools = [list(indices_of(part.chosen or part.pool)) for part in meant.parts]
-        pairs = [(i, j) for i, j in product(*pools) if i != j]
-    else:
-        members = list(indices_of(meant.chosen or meant.pool))
-        if meant.chosen and len(members) != 2:
-            raise Unread(text)
-        pairs = [(i, j) for i in members for j in members if i < j]
-    if not pairs or len(pairs) > MOST_REFERENCES**2:
-        raise Unread(text)
-    found = 0
-    for i, j in pairs:
-        found |= layout.within(Region("between", "object", layout.names(1 << i | 1 << j)))
-    return found
-
-
 def _member(reader: LiteralReader, meant: Meant, preposition: str, pool: int, noun: Noun, phrase: Phrase) -> Effect:
     if meant.sort != "things":
         raise Unread(phrase.text)
     if not meant.chosen and meant.plural and meant.sets:
-        meant = resolved(meant, pool)
+        inside = [a for a in meant.sets if not a[1] & ~pool]
+        if len(inside) == 1:
+            return Member(inside[0][1], inside[0][0])
     if not meant.chosen and meant.plural and meant.number:
         sets = [(a.kind, a.mask) for a in reader.layout.evident_of((), meant.pool) if a.count == meant.number]
         if len(sets) == 1:
@@ -434,6 +353,3 @@ def _member(reader: LiteralReader, meant: Meant, preposition: str, pool: int, no
     if taken and not (_ranks(noun) or noun.ordinals or noun.plural):
         raise Unread(phrase.text)  # what is taken off a stack is its top
     return Member(meant.chosen, meant.kind, preposition in ("to", "from") and bool(noun.distance))
-
-
-__all__ = ["Missing", "modify"]

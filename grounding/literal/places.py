@@ -65,9 +65,8 @@ def mean_place(reader: LiteralReader, noun: Noun) -> Meant:
     whole: Meant | None = None
     for modifier in noun.modifiers:
         words = [word.text for word in modifier.words]
-        if modifier.tag != "PP" or words not in (["of"], ["in"], ["on"], ["to"], ["from"]) or len(modifier.phrases) != 1:
-            raise Unread(noun.text)
-        if whole is not None:
+        of = modifier.tag == "PP" and words in (["of"], ["in"], ["on"], ["to"], ["from"]) and len(modifier.phrases) == 1
+        if not of or whole is not None:
             raise Unread(noun.text)
         whole = reader.meant(read_noun(modifier.phrases[0]))
     if not names or len(names) > 2:

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import numpy as np
 
 from grounding.geometry.masks import indices_of, mask_of, single
@@ -15,9 +13,10 @@ from grounding.graded.values import Rank, Restriction, Value
 from grounding.language.tree import Phrase
 from grounding.literal.arrangements import mean_arrangement
 from grounding.literal.choosing import half
+from grounding.literal.modifiers import modify
 from grounding.literal.places import mean_place
 from grounding.literal.things import mean_things
-from grounding.literal.values import Meant, Missing, Unread, as_array
+from grounding.literal.values import Effect, Meant, Missing, Unread, as_array
 from grounding.world import Array
 
 
@@ -78,6 +77,10 @@ class LiteralReader:
             case "block" | "other":
                 return mean_things(self, noun, base)
         raise Unread(noun.text)
+
+    def modify(self, phrase: Phrase, noun: Noun, pool: int) -> list[Effect]:
+        """What a modifier does to the things of a noun, see `grounding.literal.modifiers`."""
+        return modify(self, phrase, noun, pool)
 
     def person(self, agent: str | None) -> str:
         """Who is meant: the speaker, where there is one who looks at the robot; else the robot.
@@ -181,14 +184,6 @@ class LiteralReader:
     def ranked_again(self, target: Array, rank: Rank) -> Array:
         """Ranks are taken where they are read."""
         raise Unread("ranked again")
-
-    def ids(self, mask: int) -> tuple[str, ...]:
-        """The ids of a set."""
-        return self.layout.names(mask)
-
-    def copied(self, noun: Noun, **changes: object) -> Noun:
-        """A noun with other attributes."""
-        return replace(noun, **changes)  # type: ignore[arg-type]
 
     def members(self, mask: int) -> tuple[int, ...]:
         """The indices of a set."""

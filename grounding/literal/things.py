@@ -5,12 +5,13 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
-from grounding.geometry.masks import single
+import numpy as np
+
+from grounding.geometry.masks import indices_of, single
 from grounding.graded.nouns import Noun
-from grounding.literal.arrangements import resolved
 from grounding.literal.choosing import (
-    along,
     alone,
+    along,
     first,
     first_met,
     from_reference,
@@ -22,13 +23,27 @@ from grounding.literal.choosing import (
     toward,
 )
 from grounding.literal.places import OPPOSITE, names_of, says_unknown
-from grounding.literal.values import FAINT, FIRM, PLAIN, Effect, Meant, Member, Missing, Narrow, Order, Sided, Unread, Viewed
+from grounding.literal.values import (
+    FAINT,
+    FIRM,
+    PLAIN,
+    Effect,
+    Meant,
+    Member,
+    Missing,
+    Narrow,
+    Order,
+    Sided,
+    Unread,
+    Viewed,
+)
 from grounding.numbers import ranked, spelled
 from grounding.symbols import LAST
 
 if TYPE_CHECKING:
     from grounding.literal.reader import LiteralReader
 
+WITHIN = 3.0  # what is at most so many edges away may be called near where nothing is nearer
 _LINES = ("row", "column", "tower")
 
 
@@ -55,9 +70,8 @@ def mean_things(reader: LiteralReader, noun: Noun, base: int | None = None) -> M
         Unread: it is beyond what is read literally, or too close to call.
         Missing: there is nothing of the kind.
     """
-    from grounding.literal.modifiers import modify
-
-    if noun.strange or says_unknown(noun) or noun.size:
+    bare = noun.head == "other" and not (noun.modifiers or noun.colors)
+    if bare or noun.strange or says_unknown(noun) or noun.size:
         raise Unread(noun.text)
     layout = reader.layout
     pool = 0
@@ -75,7 +89,7 @@ def mean_things(reader: LiteralReader, noun: Noun, base: int | None = None) -> M
     owner = reader.person(noun.agent) if noun.agent else None
     effects: list[Effect] = []
     for modifier in noun.modifiers:
-        effects += modify(reader, modifier, noun, pool)
+        effects += reader.modify(modifier, noun, pool)
     viewed = next((e for e in effects if isinstance(e, Viewed)), None)
     if viewed is not None or owner == "speaker":
         if viewed is not None and names not in (("near",), ("far",)):
@@ -106,10 +120,24 @@ def mean_things(reader: LiteralReader, noun: Noun, base: int | None = None) -> M
                 said.pool &= ~effect.reference
             case Sided():
                 said.sides.append(effect)
+    if not said.pool and _almost(reader, pool, said):
+        raise Unread(noun.text)
     if not said.pool:
-        raise Missing(f"nothing here is {noun.text!r}")
+        raise Missing(f"nothing here is {noun.text!r}", FIRM if noun.plural and noun.colors else FAINT)
     reader.vague |= any(narrow.vague for narrow in said.narrows) or any(s.name == "center" for s in said.sides)
     return _several(reader, noun, said, names) if noun.plural else _one(reader, noun, said)
+
+
+def _almost(reader: LiteralReader, pool: int, said: _Said) -> bool:
+    """Whether something is so near to what nothing is beside that people may call it so."""
+    scene = reader.scene
+    for narrow in said.narrows:
+        if narrow.region is not None and narrow.region.relation == "near":
+            references = [scene.layout.index[name] for name in narrow.region.objects if name in scene.layout.index]
+            others = [i for i in indices_of(pool) if i not in references]
+            if references and others and scene.gaps[np.ix_(others, references)].min() < WITHIN * scene.edge:
+                return True
+    return False
 
 
 def _own_order(reader: LiteralReader, names: tuple[str, ...]) -> Order | None:
@@ -161,9 +189,9 @@ def _one(reader: LiteralReader, noun: Noun, said: _Said) -> Meant:
         rank = orders[0].index or index or 1
         count = "is only one" if single(pool) else f"are {spelled(pool.bit_count())}"
         raise Missing(f"there is no {ranked(abs(rank))} one; there {count}", PLAIN if _by_count(said) else FAINT)
-    if said.sides and said.sides[0].there and not said.sides[0].half and len(orders) == 1 and not index:
-        if side_of_all(scene, chosen, said.sides[0].name) < -0.03:
-            raise Unread("on the other side")
+    there = [side for side in said.sides if side.there and not side.half]
+    if there and len(orders) == 1 and not index and side_of_all(scene, chosen, there[0].name) < -0.03:
+        raise Unread("on the other side")
     return Meant("things", pool, chosen, definite=noun.definite)
 
 
@@ -191,7 +219,8 @@ def _ranked(reader: LiteralReader, said: _Said, pool: int, order: Order, index: 
 def _unranked(reader: LiteralReader, noun: Noun, said: _Said, pool: int, index: int | None) -> Meant:
     if index is not None:
         if index > pool.bit_count():
-            raise Missing(f"there is no {ranked(index)} one; there are {spelled(pool.bit_count())}", PLAIN if _by_count(said) else FAINT)
+            count = spelled(pool.bit_count())
+            raise Missing(f"there is no {ranked(index)} one; there are {count}", PLAIN if _by_count(said) else FAINT)
         if index == 1 or index == LAST:
             raise Unread("the first from where?")
         return Meant("things", pool, 0, definite=noun.definite)
@@ -200,9 +229,9 @@ def _unranked(reader: LiteralReader, noun: Noun, said: _Said, pool: int, index: 
     if regions and not chosen and len(regions) == 1 and regions[0].region is not None:
         chosen = first_met(reader.scene, pool, regions[0].region)
     for narrow in regions:
-        if narrow.strict and narrow.region is not None and chosen:
-            if not straight(reader.scene, chosen.bit_length() - 1, narrow.region):
-                raise Unread("not straight there")
+        asked = narrow.strict and narrow.region is not None and chosen
+        if asked and narrow.region and not straight(reader.scene, chosen.bit_length() - 1, narrow.region):
+            raise Unread("not straight there")
     return Meant("things", pool, chosen, definite=noun.definite)
 
 
@@ -258,5 +287,3 @@ def _arranged(reader: LiteralReader, pool: int, number: int, name: str) -> tuple
         raise Unread("too close to call")
     return (score[0][2], score[0][1]) if side_of_all(reader.scene, score[0][1], name) > 0 else None
 
-
-__all__ = ["mean_things", "resolved"]

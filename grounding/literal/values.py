@@ -10,8 +10,7 @@ import numpy as np
 from grounding.symbols import Region
 from grounding.world import Array
 
-
-FAINT = 0.05
+FAINT = 0.1
 """The limit of what is missing where relations are vague."""
 PLAIN = 0.3
 """The limit of what is missing by colours and counts, where eyes differ little."""

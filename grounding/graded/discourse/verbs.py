@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from grounding.graded.words import distance
 from grounding.language.tree import Phrase
 
 HANDLING = {
@@ -55,7 +56,8 @@ def _goes_away(clause: Phrase) -> bool:
 def kind_of(verbs: list[str], clause: Phrase) -> str | None:
     """What the verbs ask for; "move it away" asks to clear it, and wanting is no action where another verb is."""
     found = {kind for kind, words in HANDLING.items() for verb in verbs if verb in words and verb not in _WANTING}
-    if found <= {"place"} and found and {"away", "aside"} & {leaf.text for leaf in clause.leaves[-2:]}:
+    last = [leaf.text for leaf in clause.leaves]
+    if found <= {"place"} and found and {"away", "aside"} & set(last[-2:]) and not any(map(distance, last[-3:-1])):
         return "clear"
     if found and "pick" not in verbs and _goes_away(clause):
         return "clear"

@@ -1,0 +1,172 @@
+"""Literal readings: laws of mirrors and of order, presuppositions, and silence where words are not read."""
+
+import functools
+
+import numpy as np
+import pytest
+
+import models
+from grounding import Grounder
+from grounding.geometry.layout import Layout
+from grounding.graded.belief import believe
+from grounding.graded.scene import Scene
+from grounding.language.parser import Parser
+from grounding.literal import believe_literally, read_literally
+from grounding.world import World, load_world, make_object
+
+TABLE = load_world(models.SCENES / "four.json")["table"]
+HEIGHT = 0.736  # of the centre of a block on the table
+EDGE = 0.05
+SIDES = {"left": "right", "right": "left", "leftmost": "rightmost", "rightmost": "leftmost"}
+
+
+def laid(**blocks):
+    """A world of blocks given as colour, x, y and, for those in a tower, how many lie below."""
+    return World((TABLE, *(make_object(name, color=color, position=(x, y, HEIGHT + EDGE * sum(level)))
+                           for name, (color, x, y, *level) in blocks.items())))  # fmt: skip
+
+
+WORLD = laid(
+    a=("red", 0.45, 0.5), b=("red", 0.62, 0.3), c=("blue", 0.62, 0.13), d=("green", 0.8, -0.1),
+    e=("green", 0.8, -0.155), f=("yellow", 0.5, -0.42), g=("blue", 0.7, -0.6), top=("blue", 0.7, -0.6, 1),
+)  # fmt: skip
+
+
+@functools.cache
+def parser():
+    return Parser.load()
+
+
+@functools.cache
+def tree(text):
+    return parser().parse(text, 1)[0].tree
+
+
+def read(text, world=WORLD, history=()):
+    return read_literally(tree(text), Scene(Layout(world)), history)
+
+
+def options(text, world=WORLD):
+    found = read(text, world)
+    return None if found is None else set(found.options)
+
+
+def mirrored(world):
+    return World(tuple(o.moved(o.position * (1, -1, 1)) for o in world.objects))
+
+
+TEXTS = [
+    "pick up the leftmost block", "take the red block on the right", "the block to the left of the yellow block",
+    "pick up the second block from the left", "grab the rightmost red block",
+    "the green block to the right of the other", "pick up the two rightmost blocks",
+    "the block in front of the leftmost blue block",
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("text", TEXTS)
+def test_a_mirrored_world_takes_mirrored_words(text):
+    swapped = " ".join(SIDES.get(word, word) for word in text.split())
+    assert options(text) == options(swapped, mirrored(WORLD))
+
+
+@pytest.mark.parametrize("text", TEXTS)
+def test_the_order_of_objects_does_not_matter(text):
+    turned = World((WORLD.objects[0], *WORLD.objects[:0:-1]))
+    found, again = options(text), options(text, turned)
+    assert (found is None) == (again is None)
+    assert {frozenset(names) for names in found or ()} == {frozenset(names) for names in again or ()}
+
+
+def test_what_several_fit_is_left_open():
+    assert options("take the red block") == {("a",), ("b",)}
+
+
+def test_what_one_fits_is_meant():
+    assert options("take the yellow block") == {("f",)}
+
+
+@pytest.mark.parametrize(
+    "text", ["pick up the third red block from the left", "take the three red blocks", "pick up the row of six blocks"]
+)
+def test_what_there_are_not_so_many_of_is_missing(text):
+    found = read(text)
+    assert not found.options
+    assert found.missing
+
+
+def test_what_lies_nowhere_is_missing():
+    assert read("take the block behind the tower of two blocks").missing
+
+
+def test_a_rank_sorts_all_that_is_there():
+    order = [options(f"the {rank} block from the left") for rank in ("first", "second", "third", "fourth")]
+    places = [WORLD[next(iter(found))[0]].position[1] for found in order]
+    assert places == sorted(places, reverse=True)
+
+
+def test_indefinite_references_are_existential():
+    assert options("the yellow block") == {("f",)}
+    touching = options("the block touching a green block")
+    assert touching == {("d",), ("e",)}
+
+
+def test_what_is_too_close_to_call_is_not_read():
+    close = laid(a=("red", 0.5, 0.2), b=("red", 0.6, 0.204), c=("blue", 0.6, -0.3))
+    assert read("take the leftmost block", close) is None
+
+
+@pytest.mark.parametrize("text", ["take the purple elephant", "take the block that is not red"])
+def test_words_beyond_it_are_met_with_silence(text):
+    assert read(text) is None
+
+
+def test_it_is_what_was_handled_before():
+    scene = Scene(Layout(WORLD))
+    found = read_literally(tree("move it to the left"), scene, (scene.layout.index["c"],))
+    assert found.options == (("c",),)
+
+
+def test_a_destination_that_is_not_there_is_missing():
+    assert read("put the yellow block next to the row of six blocks").missing
+    assert "itself" in read("put the yellow block behind the yellow block").missing
+
+
+def test_it_is_open_where_to_if_the_place_is_that_of_several():
+    assert not read("put the yellow block behind the red block").placed
+    assert read("put the yellow block behind a red block").placed
+
+
+def test_relations_are_marked_as_vague():
+    assert not read("take the leftmost block").vague
+    assert read("the block to the left of the yellow block").vague
+
+
+def test_belief_prefers_what_singles_something_out():
+    scene = Scene(Layout(WORLD))
+    parses = parser().parse("put the block on the right of the yellow block on the table", 4)
+    graded = believe(parses, scene)
+    belief = believe_literally(parses, scene, graded)
+    likely = [read_literally(parses[place].tree, scene) for place, share in graded.shares().items() if share > 0.1]
+    assert len(belief.options) == min(len(found.options) for found in likely if found is not None and found.options)
+    assert np.isclose(sum(share for _, share in belief.options), 1.0)
+
+
+@functools.cache
+def grounder():
+    return Grounder.load()
+
+
+@pytest.mark.parametrize(
+    ("text", "outcome"),
+    [
+        ("take the yellow block", "grounded"),
+        ("take the red block", "ambiguous"),
+        ("take the third red block from the left", "no_referent"),
+        ("put the yellow block next to the row of six blocks", "no_referent"),
+        ("put the yellow block behind the red block", "ambiguous"),
+    ],
+)
+def test_outcomes_follow(text, outcome):
+    result = grounder().ground(text, WORLD)
+    assert result.outcome == outcome
+    assert result.explanation or outcome == "grounded"
