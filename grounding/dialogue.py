@@ -28,7 +28,7 @@ MARGIN = 1.35  # and so many times likelier than the next one
 TIE = 1.1  # graded readings whose shares differ by less do not tell two things apart
 WHOLLY = 0.9  # words that agree with the world so well hold of what they are said of
 CREDIBLE = 0.1  # what agrees less with the world is not answered where something is seen to be missing
-OPEN = 20.0  # what the words literally hold of alike with others has to be so many times likelier than those
+OPEN = 60.0  # what the words literally hold of alike with others has to be so many times likelier than those
 CONFIDENT = 0.62  # by the factors alone an answer is given when it is so likely
 EVEN = 0.2  # where many are possible, those that are at most so much less likely than the best are
 LISTED = 0.01  # alternatives less likely than this are not worth naming
@@ -161,8 +161,8 @@ def _needed(graded: GradedBelief, literal: LiteralBelief) -> float:
     Words that hold fully of several things cannot tell them apart; where they hold as well of another in part,
     the factors alone must be surer.
     """
-    if literal.options:
-        return OPEN if literal.is_open and not literal.vague else MARGIN
+    if literal.options and not (literal.is_open and literal.vague):
+        return OPEN if literal.is_open else MARGIN
     shares = [share for _, share in graded.options[:2]]
     if len(shares) < 2 or shares[0] >= TIE * shares[1]:
         return MARGIN

@@ -1,8 +1,8 @@
 """Pools what the factors of the ADCG and the graded readings believe into one probability for every option.
 
-The pool is log-linear: p(o) is proportional to (g(o) + e)^a (f(o) + d)^b, with g and f the shares of the graded
-readings and of the factors. Where a text is unlike what the factors were trained on they believe in
-nothing or in the wrong thing, so that their silence is weak evidence: d is large.
+The pool is log-linear: p(o) is proportional to ((g(o) + e) (1 + k l(o)))^a (f(o) + d)^b, with g, l and f the shares of
+the graded readings, of the literal one and of the factors. Where a text is unlike what the factors were trained on they
+believe in nothing or in the wrong thing, so that their silence is weak evidence: d is large.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ PLAIN = 7  # with every word more than these, more may have been misunderstood a
 DOUBT_PER_WORD = 0.012
 MOST_DOUBT = 0.15
 LITERAL = 3000.0  # what holds literally is so many times likelier than what does not
-VAGUELY = 20.0  # the same where it rests on relations of which eyes differ
+VAGUELY = 10.0  # the same where it rests on relations of which eyes differ
 KIND_WORTH = 0.3  # of what the factors say of the kind of action, beside what the clauses' verbs say
 
 Objects = tuple[str, ...]
@@ -78,9 +78,10 @@ def pool(
         weights = {objects: f for objects, (f, _) in names.items()}
     else:
         power = FACTOR_POWER * min(1.0, FAMILIAR / max(words, 1)) ** 2
+        worth = VAGUELY if vague else LITERAL
         weights = {
-            objects: (g + GRADED_FLOOR) ** GRADED_POWER * (f + FACTOR_FLOOR) ** power
-            * (1.0 + (VAGUELY if vague else LITERAL) * sharp.get(objects, 0.0))
+            objects: ((g + GRADED_FLOOR) * (1.0 + worth * sharp.get(objects, 0.0))) ** GRADED_POWER
+            * (f + FACTOR_FLOOR) ** power
             for objects, (f, g) in names.items()
         }
     total = sum(weights.values())

@@ -27,7 +27,7 @@ RELATIONS = {
     "touching": "touching", "between": "between", "in between": "between", "atop": "top", "upon": "top",
     "in front of": "front",
 }  # fmt: skip
-_OF = frozenset(("in", "of", "from", "on", "at", "to", "off", "off of", "within", "inside", "among", "out of", "with",
+_OF = frozenset(("in", "of", "from", "on", "at", "to", "off", "off of", "within", "inside", "among", "out of",
                  "toward", "towards", "along", "for", "onto", "over to"))  # fmt: skip
 _STRICT = frozenset("directly immediately right just exactly".split())
 _ADVERBS = _STRICT | frozenset(
@@ -149,6 +149,8 @@ def _relation(reader: LiteralReader, phrase: Phrase, words: list[Word], noun: No
         return [Narrow(mask_of(i for i in range(reader.scene.n) if not reader.scene.raised[i]))]
     if meant.sort == "table":
         if preposition in _OF or preposition in ("on", "onto"):
+            if reader.layout.stacked(pool):
+                raise Unread(phrase.text)  # some of them lie on others, not on the table
             return []
         raise Unread(phrase.text)
     if meant.sort == "agent":

@@ -97,8 +97,9 @@ def _check(destination: Sequence[Phrase], target: Array, reader: LiteralReader) 
                 if noun.head == "container" or missing.limit == FIRM or float(graded.max(initial=0.0)) < missing.limit:
                     raise Missing(str(missing), FIRM) from missing
                 continue
+            ranks = noun.directions or noun.distance or noun.ordinals or noun.middle or noun.far
             leads = piece.tag in ("PP", "SBAR") and not {"from", "of"} & {word.text for word in piece.words}
-            if leads and meant.chosen and all(target[i] > HOLDS for i in reader.members(meant.chosen)):
+            if leads and not ranks and meant.chosen and all(target[i] > HOLDS for i in reader.members(meant.chosen)):
                 raise Missing(f"{phrase.text!r} is what is to be moved itself", FIRM)
             told = noun.colors and not noun.modifiers and phrase.leaves[0].text in _POINTING
             plain &= bool(meant.chosen) or not told or meant.plural

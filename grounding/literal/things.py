@@ -5,7 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
-from grounding.geometry.masks import single
+import numpy as np
+
+from grounding.geometry.masks import indices_of, single
 from grounding.graded.nouns import Noun
 from grounding.literal.choosing import (
     alone,
@@ -41,6 +43,7 @@ from grounding.symbols import LAST
 if TYPE_CHECKING:
     from grounding.literal.reader import LiteralReader
 
+WITHIN = 3.0  # what is at most so many edges away may be called near where nothing is nearer
 _LINES = ("row", "column", "tower")
 
 
@@ -67,7 +70,8 @@ def mean_things(reader: LiteralReader, noun: Noun, base: int | None = None) -> M
         Unread: it is beyond what is read literally, or too close to call.
         Missing: there is nothing of the kind.
     """
-    if noun.strange or says_unknown(noun) or noun.size:
+    bare = noun.head == "other" and not (noun.modifiers or noun.colors)
+    if bare or noun.strange or says_unknown(noun) or noun.size:
         raise Unread(noun.text)
     layout = reader.layout
     pool = 0
@@ -116,10 +120,24 @@ def mean_things(reader: LiteralReader, noun: Noun, base: int | None = None) -> M
                 said.pool &= ~effect.reference
             case Sided():
                 said.sides.append(effect)
+    if not said.pool and _almost(reader, pool, said):
+        raise Unread(noun.text)
     if not said.pool:
         raise Missing(f"nothing here is {noun.text!r}", FIRM if noun.plural and noun.colors else FAINT)
     reader.vague |= any(narrow.vague for narrow in said.narrows) or any(s.name == "center" for s in said.sides)
     return _several(reader, noun, said, names) if noun.plural else _one(reader, noun, said)
+
+
+def _almost(reader: LiteralReader, pool: int, said: _Said) -> bool:
+    """Whether something is so near to what nothing is beside that people may call it so."""
+    scene = reader.scene
+    for narrow in said.narrows:
+        if narrow.region is not None and narrow.region.relation == "near":
+            references = [scene.layout.index[name] for name in narrow.region.objects if name in scene.layout.index]
+            others = [i for i in indices_of(pool) if i not in references]
+            if references and others and scene.gaps[np.ix_(others, references)].min() < WITHIN * scene.edge:
+                return True
+    return False
 
 
 def _own_order(reader: LiteralReader, names: tuple[str, ...]) -> Order | None:

@@ -61,8 +61,6 @@ def kind_of(verbs: list[str], clause: Phrase) -> str | None:
         return "clear"
     if found and "pick" not in verbs and _goes_away(clause):
         return "clear"
-    if found and "pick" not in verbs and _goes_away(clause):
-        return "clear"
     for kind in ("place", "clear", "pick"):
         if kind in found:
             return kind
