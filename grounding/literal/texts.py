@@ -98,7 +98,7 @@ def _check(destination: Sequence[Phrase], target: Array, reader: LiteralReader) 
                     raise Missing(str(missing), FIRM) from missing
                 continue
             leads = piece.tag in ("PP", "SBAR") and not {"from", "of"} & {word.text for word in piece.words}
-            if leads and meant.chosen and all(target[i] > HOLDS for i in reader.members(meant.chosen)):
+            if leads and meant.chosen and set(np.flatnonzero(target > HOLDS)) == set(reader.members(meant.chosen)):
                 raise Missing(f"{phrase.text!r} is what is to be moved itself", FIRM)
             told = noun.colors and not noun.modifiers and phrase.leaves[0].text in _POINTING
             plain &= bool(meant.chosen) or not told or meant.plural
