@@ -14,6 +14,7 @@ from grounding.graded.belief import GradedBelief
 from grounding.graded.discourse import clauses_of
 from grounding.graded.scene import Scene
 from grounding.literal import LiteralBelief
+from grounding.language.tree import Phrase
 from grounding.missing import unknown_named, unknown_things, whats_missing
 from grounding.phrases import by_answer, by_factors
 from grounding.pooling import Pooled, pool
@@ -260,9 +261,17 @@ def action_of(
             destination = next((place for place in places if place is not None), None)
     if destination is not None and set(destination.reference) & set(option.objects):
         destination = None  # nothing is put on or beside itself
-    if kind == "place" and destination is None and any(leaf.text in _ASIDE for leaf in tree.leaves):
+    if kind == "place" and destination is None and _aside(tree):
         kind = "clear"
     return GroundedAction(kind, option.objects, option.probability, destination)
+
+
+def _aside(tree: Phrase) -> bool:
+    """Whether a text only says to move something out of the way, not how far from what."""
+    texts = [leaf.text for leaf in tree.leaves]
+    return any(
+        text in _ASIDE and texts[place + 1 : place + 2] != ["from"] for place, text in enumerate(texts)
+    )
 
 
 def _destination(region: Region | None, objects: tuple[str, ...], layout: Layout) -> Destination | None:
