@@ -13,8 +13,8 @@ from grounding.geometry.layout import Layout
 from grounding.graded.belief import GradedBelief
 from grounding.graded.discourse import clauses_of
 from grounding.graded.scene import Scene
-from grounding.literal import LiteralBelief
 from grounding.language.tree import Phrase
+from grounding.literal import LiteralBelief
 from grounding.missing import unknown_named, unknown_things, whats_missing
 from grounding.phrases import by_answer, by_factors
 from grounding.pooling import Pooled, pool
