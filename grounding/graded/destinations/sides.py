@@ -8,6 +8,7 @@ from grounding.graded.destinations.clues import Clue
 from grounding.graded.destinations.maps import Shift, gaussian
 from grounding.graded.destinations.places import PITCH, Plan
 from grounding.graded.reader import Reader
+from grounding.graded.scene import SLANT
 from grounding.world import Array
 
 OUT = 0.68  # how far out sides and corners are, of the way from the middle to the edge
@@ -23,7 +24,8 @@ def _target(clue: Clue, plan: Plan, reader: Reader) -> tuple[Array, Array]:
     for name in flat:
         vector += np.round(plan.axes @ reader.scene.direction(name, noun.agent or reader.view))
     vector = np.clip(vector, -1, 1)
-    centre = plan.centre + vector * OUT * plan.half
+    seen = np.array([0.0, -SLANT if vector[1] == 0 else 0.0])  # the middle of the picture is nearer than the table's
+    centre = plan.centre + (vector * OUT + seen) * plan.half
     named = np.abs(vector) > 0.5
     free = ~named & bool(flat) & (not noun.middle)
     return np.asarray(centre), np.asarray(np.where(free, ACROSS, ALONG) * plan.half)

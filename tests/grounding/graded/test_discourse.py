@@ -124,6 +124,15 @@ def test_a_definite_noun_means_the_one_of_which_it_holds_best():
     assert best > 3 * second
 
 
+def test_the_middle_is_that_of_the_picture():
+    alone = Scene(Layout(laid(a=(0.9, 0.5), b=(0.4, -0.5))))
+    goal = believe(parser().parse("Move the top left cube to the middle of the table."), alone).destination(("a",))
+    assert goal is not None
+    x, y, _ = goal.position
+    assert 0.55 < x < 0.65
+    assert abs(y) < 0.1
+
+
 @pytest.mark.parametrize("text", ["the top cube moves left", "move the cube at the back left two spaces right"])
 def test_shares_sum_to_one(text):
     assert np.isclose(sum(share for _, share in believed(text).options), 1.0)
