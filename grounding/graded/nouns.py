@@ -93,6 +93,10 @@ def _read(phrase: Phrase) -> Noun:
         parts = tuple(inner)
         first = read_noun(parts[0])
         rest = tuple(child for child in phrase.phrases if child.tag != "NP")
+        nouns = [read_noun(part) for part in parts]
+        if all(noun.head == "place" and noun.directions and not noun.modifiers for noun in nouns):
+            names = tuple(dict.fromkeys(name for noun in nouns for name in noun.directions))
+            return replace(first, directions=names, modifiers=rest, text=phrase.text)  # "the back and the right"
         return replace(first, conjoined=parts, modifiers=rest, text=phrase.text)
     own = read_words(phrase.words)
     if not inner:

@@ -34,7 +34,8 @@ _RANKING = frozenset(
     "closest nearest closer nearer closes closet farthest furthest farther further furthermost farthermost furtherest "
     "farest furthers".split()
 )
-_MIDDLE = frozenset("middle center centre central middlemost centermost mid centered midpoint innermost".split())
+_MIDDLE = frozenset("middle center centre central middlemost centermost mid centered midpoint innermost centric "
+                    "centralmost".split())  # fmt: skip
 _PLACES = {
     "side": "side sides half halves section area part portion region end ends edge edges border boundary hand zone",
     "corner": "corner corners quadrant quadrants",

@@ -36,6 +36,9 @@ from grounding.graded.destinations.vocabulary import (
     TOWARD,
 )
 from grounding.graded.nouns import Noun
+from grounding.graded.scene import ROBOT, SPEAKER
+
+_PEOPLE = {ROBOT: "front", SPEAKER: "back"}  # "toward you" is to the robot's front; who speaks sits across the table
 
 
 def listen(items: list[Item]) -> list[Clue]:
@@ -142,6 +145,10 @@ class _Listener(Memory):
             self.relation = "align"
         elif (w.is_touching(text) or text in LINKING) and text != "against":
             self.relation = self.relation if self.tower else "touch"
+        elif self.relation == "toward" and w.agent(text) in _PEOPLE:
+            self.relation = ""
+            self._direct(place, text, (_PEOPLE[w.agent(text) or ROBOT],), following)
+            return
         elif text in TOWARD:
             self.relation = "toward"
         elif text in STACKING:

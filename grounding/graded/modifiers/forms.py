@@ -58,11 +58,9 @@ def read_effects(reader: Reader, phrase: Phrase, base: Array) -> list[Effect]:
 
 def _takes_view(phrase: Phrase) -> bool:
     """Whether a modifier only names a viewpoint: "from your perspective"."""
-    return (
-        phrase.tag == "PP"
-        and any(leaf.text in w.VIEWS for leaf in phrase.leaves)
-        and len(phrase.leaves) <= _WORDS_OF_A_VIEW
-    )
+    texts = [leaf.text for leaf in phrase.leaves]
+    viewed = any(text in w.VIEWS for text in texts) and not any(w.directions(t) or w.distance(t) for t in texts)
+    return phrase.tag == "PP" and viewed and len(texts) <= _WORDS_OF_A_VIEW
 
 
 def _relates(text: str) -> bool:

@@ -118,6 +118,14 @@ def test_a_diagonal_goes_so_far_along_both_axes():
     assert offset[0] > 1.8
 
 
+def test_toward_you_is_toward_the_robot():
+    before = WORLD["red"].position
+    after = where("pull the red block towards you two spaces")
+    assert after[0] < before[0] - EDGE
+    assert abs(after[1] - before[1]) < EDGE
+    assert where("push the red block one space toward me")[0] > before[0] + 0.5 * EDGE
+
+
 @pytest.mark.parametrize("text", ["put the red block on top of the blue block", "stack the red block on the blue block",
                                   "move the red block onto the blue block"])  # fmt: skip
 def test_on_top_has_the_height(text):

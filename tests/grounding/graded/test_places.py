@@ -44,6 +44,9 @@ def first(text, history=()):
                                                                  {"r2"}),
         ("take the second block from the top of the tower", {"t2"}),
         ("take the second block from the bottom of the stack", {"t2"}),
+        ("take the red block that is in the farthest left position", {"corner"}),
+        ("take the red block that is the farthest back and the left", {"corner"}), ("take the most centric red block",
+                                                                                    {"inner"}),
         ("of the two farthest red blocks take the near one", {"edge", "inner"}),
     ],
 )  # fmt: skip
