@@ -24,7 +24,7 @@ class LiteralBelief:
         missing: what is not there, as a sentence for people; "" where all is, or where that is not known.
         limit: that is believed where the graded reading agrees less with the world than this.
         placed: whether it is plain where to, as far as that was read.
-        vague: whether relations were read on which eyes differ.
+        vague: whether relations were read on which eyes differ, or places are all that tells things apart.
     """
 
     options: tuple[tuple[Option, float], ...] = ()
@@ -77,7 +77,8 @@ def believe_literally(
         return LiteralBelief(missing=best.missing, limit=best.limit)
     share = 1.0 / len(best.options)
     options = tuple(((best.kind, names), share) for names in best.options)
-    return LiteralBelief(options, placed=best.placed, vague=best.vague)
+    alike = len(scene.layout.colors) < 2  # things that can be told apart by their places only
+    return LiteralBelief(options, placed=best.placed, vague=best.vague or alike)
 
 
 def _seen_otherwise(graded: GradedBelief, limit: float) -> bool:

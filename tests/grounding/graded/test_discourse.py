@@ -10,6 +10,7 @@ from grounding.geometry.layout import Layout
 from grounding.graded.belief import believe
 from grounding.graded.scene import Scene
 from grounding.language.parser import Parser
+from grounding.literal.belief import believe_literally
 
 TABLE = make_object("table", "table", "white", (0.65, 0, 0.691), size=(0.7, 1.8, 0.04))
 
@@ -136,3 +137,13 @@ def test_the_middle_is_that_of_the_picture():
 @pytest.mark.parametrize("text", ["the top cube moves left", "move the cube at the back left two spaces right"])
 def test_shares_sum_to_one(text):
     assert np.isclose(sum(share for _, share in believed(text).options), 1.0)
+
+
+def test_what_differs_by_place_only_is_never_literal_beyond_doubt():
+    parses = parser().parse("take the leftmost cube")
+    for colors, vague in ((("gray", "gray", "gray"), True), (("red", "blue", "red"), False)):
+        blocks = [make_object(f"b{i}", "block", color, (0.6, 0.4 - 0.4 * i, 0.736)) for i, color in enumerate(colors)]
+        scene = Scene(Layout(World((TABLE, *blocks))))
+        literal = believe_literally(parses, scene, believe(parses, scene))
+        assert [names for (_, names), _ in literal.options] == [("b0",)]
+        assert literal.vague == vague
