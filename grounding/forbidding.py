@@ -6,6 +6,7 @@ from grounding.graded.discourse import HANDLING
 from grounding.language.tree import Phrase
 
 _NEGATIONS = frozenset(("not", "n't", "never", "don't", "dont"))
+_NONE = frozenset(("0", "zero", "no"))
 _STATING = frozenset(("is", "are", "'s", "does", "was", "were", "am", "be", "will", "would", "should", "has", "have"))
 _HANDLED = frozenset(word for verbs in HANDLING.values() for word in verbs)
 _CLAUSES = ("VP", "S")
@@ -21,6 +22,10 @@ def forbidden(tree: Phrase) -> str | None:
         tree: the parse.
     """
     clauses = _commands(tree)
+    named = (phrase for clause in clauses for phrase in _objects(clause))
+    nothing = next((phrase for phrase in named if phrase.leaves[0].text in _NONE), None)
+    if nothing is not None:
+        return f"{nothing.text!r} is nothing to handle; say which block"
     denied = [clause for clause in clauses if _denies(clause)]
     if denied and len(denied) == len(clauses):
         text = denied[0].text.replace(" n't", "n't")
@@ -49,6 +54,13 @@ def _denies(clause: Phrase) -> bool:
         if place is not None and not _STATING & set(texts) and not _HANDLED & set(texts[:place]):
             return True
     return False
+
+
+def _objects(clause: Phrase) -> list[Phrase]:
+    """What the verbs of a clause handle, or the clause itself where it is a noun phrase."""
+    if clause.tag == "NP":
+        return [clause]
+    return [child for phrase in _verbal(clause) if phrase.tag == "VP" for child in phrase.phrases if child.tag == "NP"]
 
 
 def _verbal(clause: Phrase) -> list[Phrase]:

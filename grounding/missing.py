@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 import numpy as np
 
 from grounding.geometry.layout import Layout
@@ -13,6 +15,7 @@ from grounding.graded.scene import Scene
 from grounding.language.lexicon import meanings
 from grounding.language.tree import Phrase
 from grounding.numbers import listed, ranked, spelled
+from grounding.symbols import ObjectColor
 
 _LOOKS = 0.35  # an arrangement that looks less like one than this is not spoken of
 _MOSTS = {"row": "longest", "column": "longest", "diagonal": "longest", "tower": "highest"}
@@ -40,7 +43,7 @@ def whats_missing(tree: Phrase, scene: Scene) -> str | None:
         return missing
     for phrase in (p for target in asked[:1] for p in target.postorder() if p.tag == "NP"):
         noun = read_noun(phrase)
-        missing = _arrangement(noun, scene) or _rank(noun, scene)
+        missing = _arrangement(noun, scene) or _rank(noun, scene) or _denied(noun, scene)
         if missing is not None:
             return missing
     return _unknown(strange, scene.layout) if strange else None
@@ -178,6 +181,21 @@ def _rank(noun: Noun, scene: Scene) -> str | None:
         count = "there is only one" if len(there) == 1 else f"there are {spelled(len(there))}"
         return f"there is no {ranked(rank)} {told}; {count}"
     return None
+
+
+def _denied(noun: Noun, scene: Scene) -> str | None:
+    """Where all that is there has a colour that is ruled out: "the block that is not red"."""
+    leaves = [leaf.text for modifier in noun.modifiers for leaf in modifier.leaves]
+    denied = {
+        symbol.name
+        for before, text in pairwise(leaves)
+        for symbol in meanings(text)
+        if before in ("not", "n't", "nor", "neither") and isinstance(symbol, ObjectColor)
+    }
+    there = {item.color for item in scene.layout.things if not noun.colors or item.color in noun.colors}
+    if noun.head != "block" or not denied or not there or not there <= denied:
+        return None
+    return f"all blocks here are {listed(sorted(there), 'or')}"
 
 
 def _narrows(modifier: Phrase) -> bool:

@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 from functools import lru_cache
 
+from grounding.language.number_words import number_of
 from grounding.symbols import (
     LAST,
     Action,
@@ -122,7 +123,7 @@ def meanings(word: str) -> frozenset[Symbol]:
     """The symbols that a word may name; empty for words outside the closed classes.
 
     Args:
-        word: lower case. Digits count as numbers ("5") and ordinals ("3rd").
+        word: lower case. Digits count as numbers ("5") and ordinals ("3rd"), as do words for large ones.
     """
     if word in _MEANINGS:
         return _MEANINGS[word]
@@ -130,6 +131,9 @@ def meanings(word: str) -> frozenset[Symbol]:
     if match:
         value = int(match.group(1))
         return frozenset({Ordinal(value) if match.group(2) else Cardinal(value)}) if value else frozenset()
+    number = number_of(word)
+    if number is not None:
+        return frozenset({Ordinal(number[0]) if number[1] else Cardinal(number[0])})
     return frozenset()
 
 

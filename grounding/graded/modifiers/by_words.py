@@ -33,6 +33,8 @@ if TYPE_CHECKING:
 def by_itself(reader: Reader, heard: Heard) -> list[Effect]:
     """A modifier without a noun phrase: "farthest away", "above", "third"."""
     scene, said = reader.scene, heard.said
+    if said.colors:  # "that is red"
+        return [Restriction(colored(scene, said.colors))]
     if said.distance and any(w.is_ranking(text) for text in heard.texts):
         sign = 1.0 if said.distance == "near" else -1.0
         return [Rank(-sign * distance_from(scene, said.agent or ROBOT), heard.ordinal, 0.3 * scene.edge)]

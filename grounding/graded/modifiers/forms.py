@@ -88,7 +88,9 @@ def _clause(reader: Reader, phrase: Phrase, base: Array, *, possessive: bool) ->
 
 def _negated(reader: Reader, phrase: Phrase, base: Array) -> list[Effect]:
     found: list[Effect] = []
-    for child in phrase.phrases:
+    kept = tuple(word for word in phrase.words if word.text not in _NEGATING)
+    parts = phrase.phrases or ((Phrase(phrase.tag, kept),) if kept else ())  # "that is not red"
+    for child in parts:
         for effect in reader.effects(child, base):
             if isinstance(effect, Restriction):
                 found.append(Restriction(1.0 - effect.weights))
