@@ -18,7 +18,7 @@ FAMILIAR = 16  # texts of more words are unlike those that the factors were lear
 PLAIN = 7  # with every word more than these, more may have been misunderstood as a whole
 DOUBT_PER_WORD = 0.012
 MOST_DOUBT = 0.15
-LITERAL = 30.0  # what holds literally is so many times likelier than what does not
+LITERAL = 3000.0  # what holds literally is so many times likelier than what does not
 KIND_WORTH = 0.3  # of what the factors say of the kind of action, beside what the clauses' verbs say
 
 Objects = tuple[str, ...]
