@@ -228,7 +228,7 @@ def options_of(
     for action, share in _shares(found)[0].items():
         factors[action.kind, action.objects] = factors.get((action.kind, action.objects), 0.0) + share
     words = len(found[0].inference.tree.leaves)
-    return pool(factors, () if graded is None else graded.options, words, literal.options)
+    return pool(factors, () if graded is None else graded.options, words, literal.options, literal.vague)
 
 
 def action_of(option: Pooled, found: Sequence[Reading], scene: Scene, graded: GradedBelief) -> GroundedAction:

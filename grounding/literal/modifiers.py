@@ -145,7 +145,7 @@ def _relation(reader: LiteralReader, phrase: Phrase, words: list[Word], noun: No
     preposition = " ".join(said) or texts[-1]
     if meant.sort == "place" and texts[-1] == "from" and set(texts) <= {"up", "down", "in", "over", "from"}:
         preposition = "from"
-    if meant.sort == "table" and texts[-1] == "on" and reader.scene.towers:
+    if meant.sort == "table" and preposition == "on" and reader.scene.towers:
         return [Narrow(mask_of(i for i in range(reader.scene.n) if not reader.scene.raised[i]))]
     if meant.sort == "table":
         if preposition in _OF or preposition in ("on", "onto"):
