@@ -38,7 +38,8 @@ class PlacePhrases(SetPhrases):
                            symbols=modifier.symbols | {SpatialReference("center")})  # fmt: skip
         else:
             raise NotAnnotatable(f"{phrase.text!r}: a place needs something that is determined")
-        return Meaning("region", frozenset({region}), region=region, relation=relation, definite=head.definite)
+        return Meaning("region", frozenset({region}), region=region, relation=relation, definite=head.definite,
+                       indefinite=modifier.indefinite and not modifier.reference)  # fmt: skip
 
     def _point(self, phrase: Phrase, head: Meaning, modifier: Meaning) -> Meaning:
         """The corner of the table; the closest to you; the farthest from the tower."""
