@@ -13,6 +13,7 @@ from grounding.geometry.layout import Layout
 from grounding.graded.belief import GradedBelief
 from grounding.graded.discourse import clauses_of
 from grounding.graded.scene import Scene
+from grounding.language.tree import Phrase
 from grounding.literal import LiteralBelief
 from grounding.missing import unknown_named, unknown_things, whats_missing
 from grounding.phrases import by_answer, by_factors
@@ -31,6 +32,7 @@ CREDIBLE = 0.1  # what agrees less with the world is not answered where somethin
 OPEN = 60.0  # what the words literally hold of alike with others has to be so many times likelier than those
 CONFIDENT = 0.62  # by the factors alone an answer is given when it is so likely
 EVEN = 0.2  # where many are possible, those that are at most so much less likely than the best are
+RIVAL = 0.2  # where an answer is given, others are told where to that are at least so likely beside it
 LISTED = 0.01  # alternatives less likely than this are not worth naming
 MOST = 5
 
@@ -148,10 +150,13 @@ def _pooled(
     best, second = options[0].probability, options[1].probability if len(options) > 1 else 0.0
     least = min(LISTED, EVEN * best)
     listed = [option for option in options if option.probability >= least]
-    actions = tuple(action_of(option, found, scene, graded) for option in listed[: MOST + 1])
+    sure = best >= ANSWERED and best >= _needed(graded, literal) * second
+    least = RIVAL * best if sure else 0.0
+    actions = tuple(
+        action_of(option, found, scene, graded, placed=option.probability >= least) for option in listed[: MOST + 1]
+    )
     bearer = next((r for a, r in bearers.items() if _agrees(a, actions[0])), None)
     count = len(listed)
-    sure = best >= ANSWERED and best >= _needed(graded, literal) * second
     return Believed(actions, count, sure, shares, bearer or found[0], bearer is not None)
 
 
@@ -231,7 +236,9 @@ def options_of(
     return pool(factors, () if graded is None else graded.options, words, literal.options, literal.vague)
 
 
-def action_of(option: Pooled, found: Sequence[Reading], scene: Scene, graded: GradedBelief) -> GroundedAction:
+def action_of(
+    option: Pooled, found: Sequence[Reading], scene: Scene, graded: GradedBelief, *, placed: bool = True
+) -> GroundedAction:
     """An option as an action, with where it is to be put.
 
     Args:
@@ -239,10 +246,13 @@ def action_of(option: Pooled, found: Sequence[Reading], scene: Scene, graded: Gr
         found: the readings by the factors.
         scene: the world.
         graded: the graded readings; of several sentences they know best what is to be done in the end.
+        placed: whether it is told where to, which takes its time.
     """
     tree, kind, destination = found[0].inference.tree, option.kinds[0][0], None
     if tree.tag == "FRAG" or len(clauses_of(tree)) > 1:
         kind = next((k for (k, objects), _ in graded.options if objects == option.objects), kind)
+    if kind == "place" and not placed:
+        return GroundedAction(kind, option.objects, option.probability)
     if kind == "place":
         destination = graded.destination(option.objects)
         if destination is None:
@@ -251,9 +261,17 @@ def action_of(option: Pooled, found: Sequence[Reading], scene: Scene, graded: Gr
             destination = next((place for place in places if place is not None), None)
     if destination is not None and set(destination.reference) & set(option.objects):
         destination = None  # nothing is put on or beside itself
-    if kind == "place" and destination is None and any(leaf.text in _ASIDE for leaf in tree.leaves):
+    if kind == "place" and destination is None and _aside(tree):
         kind = "clear"
     return GroundedAction(kind, option.objects, option.probability, destination)
+
+
+def _aside(tree: Phrase) -> bool:
+    """Whether a text only says to move something out of the way, not how far from what."""
+    texts = [leaf.text for leaf in tree.leaves]
+    return any(
+        text in _ASIDE and texts[place + 1 : place + 2] != ["from"] for place, text in enumerate(texts)
+    )
 
 
 def _destination(region: Region | None, objects: tuple[str, ...], layout: Layout) -> Destination | None:

@@ -135,7 +135,7 @@ class Grounder:
         Raises:
             ModelError: a file is missing, damaged or of another version.
         """
-        return cls(Parser.load(grammar), Adcg(load_model(weights), beam=2))
+        return cls(Parser.load(grammar), Adcg(load_model(weights), beam=1))
 
     def ground(self, text: str, world: World, history: Sequence[str] = (), before: World | None = None) -> Grounding:
         """Understand an instruction.

@@ -53,6 +53,8 @@ def mean_arrangement(reader: LiteralReader, noun: Noun) -> Meant:
         if not stuff:
             raise Unread(noun.text)
     found = _seen(reader, noun, stuff)
+    if number is None and _counts_bands(reader, noun, stuff, found):
+        raise Unread("lines are counted across the table, of which one block may be one")
     if number is not None:
         found = [a for a in found if a[1].bit_count() == number]
     if not found:
@@ -85,6 +87,17 @@ def _seen(reader: LiteralReader, noun: Noun, stuff: int) -> Found:
         kinds = ("column", "tower")
     line = "row" in kinds and "column" in kinds
     return [a for a in found if a[0] in kinds and (line or a not in slanted)]
+
+
+def _counts_bands(reader: LiteralReader, noun: Noun, stuff: int, found: Found) -> bool:
+    """Whether a rank or an end may be one of all bands, as some blocks stand in no line: "the third row"."""
+    if not {"row", "column"} & set(noun.kinds) or "diagonal" in noun.kinds or not (noun.ordinals or names_of(noun)):
+        return False
+    standing = stuff & reader.layout.everything
+    for _, mask in found:
+        standing &= ~mask
+    index = max(noun.ordinals, default=1)
+    return bool(standing) and (not found or index > len(found))
 
 
 def _faint(reader: LiteralReader, noun: Noun, stuff: int, number: int | None) -> Found:

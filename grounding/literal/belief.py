@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from grounding.graded.belief import GradedBelief
-from grounding.graded.scene import Scene
+from grounding.graded.scene import SPEAKER, Scene
 from grounding.language.parser import Parse
 from grounding.literal.texts import Literal, read_literally
 
@@ -71,8 +71,15 @@ def believe_literally(
     best = min(found, key=lambda literal: len(literal.options) or len(parses) + scene.n, default=None)
     if best is None:
         return SILENT
+    if not best.options and _seen_otherwise(graded, best.limit):
+        return SILENT
     if not best.options:
         return LiteralBelief(missing=best.missing, limit=best.limit)
     share = 1.0 / len(best.options)
     options = tuple(((best.kind, names), share) for names in best.options)
     return LiteralBelief(options, placed=best.placed, vague=best.vague)
+
+
+def _seen_otherwise(graded: GradedBelief, limit: float) -> bool:
+    """Whether what is missing as the robot sees it is there as the speaker does, whose view is not read literally."""
+    return any(reading.reader.view == SPEAKER and reading.truth >= limit for reading in graded.readings)

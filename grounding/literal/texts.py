@@ -99,7 +99,8 @@ def _check(destination: Sequence[Phrase], target: Array, reader: LiteralReader) 
                 continue
             ranks = noun.directions or noun.distance or noun.ordinals or noun.middle or noun.far
             leads = piece.tag in ("PP", "SBAR") and not {"from", "of"} & {word.text for word in piece.words}
-            if leads and not ranks and meant.chosen and all(target[i] > HOLDS for i in reader.members(meant.chosen)):
+            itself = set(np.flatnonzero(target > HOLDS)) == set(reader.members(meant.chosen))
+            if leads and not ranks and meant.chosen and itself:
                 raise Missing(f"{phrase.text!r} is what is to be moved itself", FIRM)
             told = noun.colors and not noun.modifiers and phrase.leaves[0].text in _POINTING
             plain &= bool(meant.chosen) or not told or meant.plural
