@@ -112,7 +112,7 @@ def decide(
             return Grounding(text, "no_referent", explanation=missing, unknown_words=words, phrases=phrases)
     told = (
         by_factors(believed.reading, believed.shares)
-        if believed.agrees or graded is None
+        if believed.agrees or graded is None or not graded.readings
         else by_answer(believed.reading, graded, believed.actions)
     )
     return Grounding(

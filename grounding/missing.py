@@ -19,8 +19,9 @@ from grounding.symbols import ObjectColor
 
 _LOOKS = 0.35  # an arrangement that looks less like one than this is not spoken of
 _MOSTS = {"row": "longest", "column": "longest", "diagonal": "longest", "tower": "highest"}
-_NO_THINGS = frozenset("arm arms hand hands finger fingers gripper outside inside beginning rest bit face faces we us "
-                       "i".split())  # fmt: skip
+_NO_THINGS = frozenset(
+    "arm arms hand hands finger fingers gripper outside inside beginning rest bit face faces we us i".split()
+)
 _HEAPS = frozenset(("pile", "piles"))  # of blocks side by side, where nothing is stacked
 _THINGS = ("block", "container")
 

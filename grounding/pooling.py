@@ -19,7 +19,7 @@ PLAIN = 7  # with every word more than these, more may have been misunderstood a
 DOUBT_PER_WORD = 0.012
 MOST_DOUBT = 0.15
 LITERAL = 3000.0  # what holds literally is so many times likelier than what does not
-VAGUELY = 10.0  # the same where it rests on relations of which eyes differ
+VAGUELY = 1000.0  # the same where it rests on relations of which eyes differ
 KIND_WORTH = 0.3  # of what the factors say of the kind of action, beside what the clauses' verbs say
 
 Objects = tuple[str, ...]

@@ -149,8 +149,6 @@ def _relation(reader: LiteralReader, phrase: Phrase, words: list[Word], noun: No
         return [Narrow(mask_of(i for i in range(reader.scene.n) if not reader.scene.raised[i]))]
     if meant.sort == "table":
         if preposition in _OF or preposition in ("on", "onto"):
-            if reader.layout.stacked(pool):
-                raise Unread(phrase.text)  # some of them lie on others, not on the table
             return []
         raise Unread(phrase.text)
     if meant.sort == "agent":

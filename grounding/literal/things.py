@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -73,6 +73,8 @@ def mean_things(reader: LiteralReader, noun: Noun, base: int | None = None) -> M
     bare = noun.head == "other" and not (noun.modifiers or noun.colors)
     if bare or noun.strange or says_unknown(noun) or noun.size:
         raise Unread(noun.text)
+    if noun.plural and noun.number is None and "both" in noun.text.split():
+        noun = replace(noun, number=2)
     layout = reader.layout
     pool = 0
     kind = "block" if "block" in layout.types else None

@@ -1,6 +1,7 @@
 """Literal readings: laws of mirrors and of order, presuppositions, and silence where words are not read."""
 
 import functools
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -8,7 +9,7 @@ import pytest
 import models
 from grounding import Grounder
 from grounding.geometry.layout import Layout
-from grounding.graded.belief import believe
+from grounding.graded.belief import GradedBelief, believe
 from grounding.graded.scene import Scene
 from grounding.language.parser import Parser
 from grounding.literal import believe_literally, read_literally
@@ -170,3 +171,12 @@ def test_outcomes_follow(text, outcome):
     result = grounder().ground(text, WORLD)
     assert result.outcome == outcome
     assert result.explanation or outcome == "grounded"
+
+
+def test_what_is_read_literally_alone_is_answered():
+    understanding = grounder().understand("take the yellow block", WORLD)
+    silent = replace(understanding, graded=GradedBelief((), (), 0.0))
+    result = silent.decided()
+    assert result.outcome == "grounded"
+    assert result.actions[0].objects == ("f",)
+    assert result.phrases
