@@ -24,7 +24,7 @@ from grounding.result import Destination, GroundedAction, Grounding
 from grounding.symbols import Action, Region, symbol_key
 from grounding.unanswered import open_options, unanswered
 
-ANSWERED = 0.42  # an answer is given when it is so likely
+ANSWERED = 0.45  # an answer is given when it is so likely
 MARGIN = 1.35  # and so many times likelier than the next one
 TIE = 1.1  # graded readings whose shares differ by less do not tell two things apart
 WHOLLY = 0.9  # words that agree with the world so well hold of what they are said of
@@ -233,7 +233,7 @@ def options_of(
     for action, share in _shares(found)[0].items():
         factors[action.kind, action.objects] = factors.get((action.kind, action.objects), 0.0) + share
     words = len(found[0].inference.tree.leaves)
-    return pool(factors, () if graded is None else graded.options, words, literal.options, literal.vague)
+    return pool(factors, () if graded is None else graded.options, words, literal.options, literal.worth)
 
 
 def action_of(

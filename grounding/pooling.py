@@ -18,8 +18,6 @@ FAMILIAR = 16  # texts of more words are unlike those that the factors were lear
 PLAIN = 7  # with every word more than these, more may have been misunderstood as a whole
 DOUBT_PER_WORD = 0.012
 MOST_DOUBT = 0.15
-LITERAL = 3000.0  # what holds literally is so many times likelier than what does not
-VAGUELY = 1000.0  # the same where it rests on relations of which eyes differ
 KIND_WORTH = 0.3  # of what the factors say of the kind of action, beside what the clauses' verbs say
 
 Objects = tuple[str, ...]
@@ -45,7 +43,7 @@ def pool(
     graded: Sequence[tuple[tuple[str, Objects], float]],
     words: int = 0,
     literal: Sequence[tuple[tuple[str, Objects], float]] = (),
-    vague: bool = False,
+    literal_worth: float = 1.0,
 ) -> tuple[Pooled, ...]:
     """Pool two beliefs over (action, ids).
 
@@ -53,7 +51,7 @@ def pool(
         factors: shares by the factors; what is missing to 1 is belief in nothing.
         graded: shares by the graded readings; they sum to 1, or are empty.
         literal: shares by the literal reading; they sum to 1, or are empty.
-        vague: whether it rests on relations of which eyes differ.
+        literal_worth: how many times likelier what holds literally is than what does not.
         words: of the text; what the factors say of long ones counts less, as they multiply what may go wrong.
 
     Returns:
@@ -78,9 +76,8 @@ def pool(
         weights = {objects: f for objects, (f, _) in names.items()}
     else:
         power = FACTOR_POWER * min(1.0, FAMILIAR / max(words, 1)) ** 2
-        worth = VAGUELY if vague else LITERAL
         weights = {
-            objects: ((g + GRADED_FLOOR) * (1.0 + worth * sharp.get(objects, 0.0))) ** GRADED_POWER
+            objects: ((g + GRADED_FLOOR) * (1.0 + literal_worth * sharp.get(objects, 0.0))) ** GRADED_POWER
             * (f + FACTOR_FLOOR) ** power
             for objects, (f, g) in names.items()
         }

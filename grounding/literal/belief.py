@@ -12,6 +12,13 @@ from grounding.literal.texts import Literal, read_literally
 
 LIKELY = 0.1  # parses with a smaller share of the graded belief say nothing literally
 
+SHARP = 3000.0
+"""What holds literally is so many times likelier than what does not."""
+VAGUE = 300.0
+"""The same where it rests on relations of which eyes differ."""
+ALIKE = 30.0
+"""The same where only places tell things apart, of which people speak loosely."""
+
 Option = tuple[str, tuple[str, ...]]
 
 
@@ -24,7 +31,8 @@ class LiteralBelief:
         missing: what is not there, as a sentence for people; "" where all is, or where that is not known.
         limit: that is believed where the graded reading agrees less with the world than this.
         placed: whether it is plain where to, as far as that was read.
-        vague: whether relations were read on which eyes differ, or places are all that tells things apart.
+        vague: whether relations were read on which eyes differ.
+        alike: whether places are all that tells the things of the world apart.
     """
 
     options: tuple[tuple[Option, float], ...] = ()
@@ -32,6 +40,12 @@ class LiteralBelief:
     limit: float = 0.0
     placed: bool = True
     vague: bool = False
+    alike: bool = False
+
+    @property
+    def worth(self) -> float:
+        """How many times likelier what it leaves is than what it does not."""
+        return ALIKE if self.alike else VAGUE if self.vague else SHARP
 
     @property
     def is_open(self) -> bool:
@@ -77,8 +91,8 @@ def believe_literally(
         return LiteralBelief(missing=best.missing, limit=best.limit)
     share = 1.0 / len(best.options)
     options = tuple(((best.kind, names), share) for names in best.options)
-    alike = len(scene.layout.colors) < 2  # things that can be told apart by their places only
-    return LiteralBelief(options, placed=best.placed, vague=best.vague or alike)
+    alike = len(scene.layout.colors) < 2
+    return LiteralBelief(options, placed=best.placed, vague=best.vague, alike=alike)
 
 
 def _seen_otherwise(graded: GradedBelief, limit: float) -> bool:

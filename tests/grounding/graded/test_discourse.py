@@ -141,9 +141,9 @@ def test_shares_sum_to_one(text):
 
 def test_what_differs_by_place_only_is_never_literal_beyond_doubt():
     parses = parser().parse("take the leftmost cube")
-    for colors, vague in ((("gray", "gray", "gray"), True), (("red", "blue", "red"), False)):
+    for colors, alike in ((("gray", "gray", "gray"), True), (("red", "blue", "red"), False)):
         blocks = [make_object(f"b{i}", "block", color, (0.6, 0.4 - 0.4 * i, 0.736)) for i, color in enumerate(colors)]
         scene = Scene(Layout(World((TABLE, *blocks))))
         literal = believe_literally(parses, scene, believe(parses, scene))
         assert [names for (_, names), _ in literal.options] == [("b0",)]
-        assert literal.vague == vague
+        assert literal.alike == alike
