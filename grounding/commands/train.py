@@ -30,7 +30,7 @@ from grounding.learning.examples import Annotated, annotated
 VARIANTS = 4
 SAMPLED = 4000
 _SEED = 7  # of the sampled texts
-PENALTY = 0.3  # chosen on held-out sentences, see benchmarks/learning.py
+PENALTY = 0.3  # chosen on held-out sentences
 
 
 def add_arguments(subparsers: Any) -> None:

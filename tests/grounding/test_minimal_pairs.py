@@ -167,6 +167,7 @@ SAID_AT_LENGTH = [
     ("twelve", "pick up the block in the circle that is closest to you", "b3"),
     ("stacks", "pick up the block on top of the tower on the left", "a3"),
     ("grid", "pick up the block in the second row and the third column", "mr"),
+    ("line", "grab the block that is touching nothing and is purple", "p"),
     ("tower", "take the green block to the left of the red block that is closest to you", "b8"),
     ("stacks", "take the highest block", "a3"),
 ]
@@ -174,8 +175,6 @@ SAID_AT_LENGTH = [
 NOT_YET = [
     ("stacks", "take the three blocks closest to you", "a3+o1+z2",
      "plurals do not leave out what carries something"),
-    ("line", "grab the block that is touching nothing and is purple", "p",
-     "predicates joined by 'and' are not all heard"),
 ]  # fmt: skip
 """What the product does not understand yet, and why."""
 
