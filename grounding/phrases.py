@@ -49,7 +49,7 @@ def by_answer(reading: Reading, graded: GradedBelief, actions: Sequence[Grounded
     named = dict(_weighed(reading.inference.tree, told))
     target = next(iter(named), None)
     shares = {a.objects[0]: a.probability for a in actions if len(a.objects) == 1}
-    members = set(actions[0].objects)
+    members = tuple(sorted(set(actions[0].objects)))  # nothing depends on the order of a set
     place = actions[0].destination
     references = () if place is None else place.reference
 
