@@ -96,7 +96,8 @@ def take(noun: Noun, reader: Reader, told: Told, context: Array | None = None) -
     if told.target is not None:
         weights = weights * _agreed(told.target / scores.peak(told.target))
     told.target = weights
-    told.sets = value.sets if value.kind == "sets" else ()
+    several = tuple(item for item in value.sets if int(item[0].sum()) > 1)  # nobody picks up a row of one
+    told.sets = (several or value.sets) if value.kind == "sets" else ()
 
 
 def _excludes(noun: Noun) -> bool:
