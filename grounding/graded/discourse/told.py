@@ -88,6 +88,12 @@ def take(noun: Noun, reader: Reader, told: Told, context: Array | None = None) -
     if value.kind not in ("objects", "sets"):
         told.doubt += 1
         return
+    if noun.head == "container" and not noun.plural:  # nobody picks up a row of one
+        several = tuple(item for item in value.sets if int(item[0].sum()) > 1)
+        if not several:
+            told.doubt += 1
+            return
+        value = replace(value, sets=several)
     weights = value.weights
     if told.mentioned is not None and told.plural and noun.head == "block" and context is None:
         inside = told.mentioned > 0.3 * scores.peak(told.mentioned)
@@ -96,8 +102,7 @@ def take(noun: Noun, reader: Reader, told: Told, context: Array | None = None) -
     if told.target is not None:
         weights = weights * _agreed(told.target / scores.peak(told.target))
     told.target = weights
-    several = tuple(item for item in value.sets if int(item[0].sum()) > 1)  # nobody picks up a row of one
-    told.sets = (several or value.sets) if value.kind == "sets" else ()
+    told.sets = value.sets if value.kind == "sets" else ()
 
 
 def _excludes(noun: Noun) -> bool:

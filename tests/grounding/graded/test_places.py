@@ -80,5 +80,4 @@ def test_beside_the_middle_is_on_one_side_of_it(name, opposite):
 @pytest.mark.parametrize("text", ["pick up the column on the left", "take the row", "clear the front row"])
 def test_nobody_handles_an_arrangement_of_one(text):
     belief = believe(parser().parse(text, 4), SCENE)
-    assert belief.options
     assert all(len(names) > 1 for (_, names), share in belief.options if share > 0.01)
