@@ -220,6 +220,9 @@ class Conversation:
             return self._follows(answer, text, pending)
         names = pending.options[0].objects
         parse = self._grounder.parser.parse(text, 1)[0]
+        told = None if commands(parse) else self._beside(text, pending)
+        if told is not None:
+            return self._decided(pending, replace(told, objects=names))
         if not commands(parse):
             history = (*pending.course.history, *names)
             said = f"put {'it' if len(names) == 1 else 'them'} {text}"
@@ -230,6 +233,25 @@ class Conversation:
             return self._again(text, pending, found.explanation)
         course = self._grounder.course(text, self._world, (*self._history, *names), self._before)
         return self._taken(self._grounder.follow(course))
+
+    def _beside(self, text: str, pending: Pending) -> GroundedAction | None:
+        """What follows where an answer tells which of several things a place was named by."""
+        rival = pending.understanding.literal.rival
+        if rival is None:
+            return None
+        answer = by_words(text, len(rival.ids), min(NAMED, len(rival.ids)))
+        if answer is None:
+            parses = self._grounder.parser.parse(text, 2)
+            answer = by_description(parses, pending.understanding.scene, [(name,) for name in rival.ids])
+        if answer.kind != "chosen" or len(answer.places) != 1:
+            return None
+        chosen = Describer(pending.understanding.scene).describe(rival.ids[answer.places[0]]).text
+        before, _, after = pending.understanding.parses[0].tree.text.rpartition(rival.text)
+        course = pending.course
+        said = self._grounder.understand(f"{before}{chosen}{after}", course.world, course.history)
+        found = said.decided(course.before)
+        action = found.actions[0] if found.actions else None
+        return action if action is not None and action.destination is not None else None
 
     def _decided(self, pending: Pending, action: GroundedAction) -> Grounding:
         """The step that was asked about has its answer; the further ones follow."""

@@ -18,7 +18,7 @@ from grounding.literal import LiteralBelief
 from grounding.missing import unknown_named, unknown_things, whats_missing
 from grounding.phrases import by_answer, by_factors
 from grounding.pooling import Pooled, pool
-from grounding.questions import question, where
+from grounding.questions import question, where, which_place
 from grounding.readings import Reading
 from grounding.result import Destination, GroundedAction, Grounding
 from grounding.symbols import Action, Region, symbol_key
@@ -38,7 +38,6 @@ MOST = 5
 
 _ASIDE = frozenset(("aside", "away", "out"))  # "move it out of the way"
 SILENT = LiteralBelief()
-_WHICH_PLACE = "Beside which one shall I put it?"
 _OPEN_PLACE = "Where shall I put it?"
 
 
@@ -102,8 +101,9 @@ def decide(
         why = unanswered(tree, scene, words)
         return Grounding(text, why.outcome, explanation=why.explanation, unknown_words=why.words, phrases=phrases)
     result = _outcome(text, believed, scene)
-    if result.outcome == "grounded" and result.actions[0].action == "place" and not literal.placed:
-        result = replace(result, outcome="ambiguous", actions=(), alternatives=result.actions, question=_WHICH_PLACE,
+    if result.outcome == "grounded" and result.actions[0].action == "place" and literal.rival is not None:
+        asked = which_place(literal.rival.ids, Describer(scene))
+        result = replace(result, outcome="ambiguous", actions=(), alternatives=result.actions, question=asked,
                          explanation="what is said of the place holds of several things")  # fmt: skip
     if result.outcome == "ambiguous":
         missing = unknown_named(tree, scene)

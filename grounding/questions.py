@@ -37,6 +37,12 @@ def question(actions: Sequence[GroundedAction], describer: Describer, more: int 
     return f"Do you mean {thing}?"
 
 
+def which_place(rivals: Sequence[str], describer: Describer) -> str:
+    """Asks which of several things a place was named by."""
+    found = [describer.describe(name, rivals) for name in rivals[:NAMED]]
+    return f"Where do you want it, by {listed_descriptions(found, len(rivals) - len(found))}?"
+
+
 def describe_objects(names: Sequence[str], describer: Describer, among: Sequence[str] = ()) -> str:
     """What tells objects from others, in words."""
     if len(names) == 1:

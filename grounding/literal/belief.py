@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from grounding.graded.belief import GradedBelief
 from grounding.graded.scene import SPEAKER, Scene
 from grounding.language.parser import Parse
-from grounding.literal.texts import Literal, read_literally
+from grounding.literal.texts import Literal, Rival, read_literally
 
 LIKELY = 0.1  # parses with a smaller share of the graded belief say nothing literally
 
@@ -30,7 +30,7 @@ class LiteralBelief:
         options: (action, ids) that it leaves, with equal shares; none where it is silent or something is missing.
         missing: what is not there, as a sentence for people; "" where all is, or where that is not known.
         limit: that is believed where the graded reading agrees less with the world than this.
-        placed: whether it is plain where to, as far as that was read.
+        rival: what the words for where to leave open, as far as they were read.
         vague: whether relations were read on which eyes differ.
         alike: whether places are all that tells the things of the world apart.
     """
@@ -38,7 +38,7 @@ class LiteralBelief:
     options: tuple[tuple[Option, float], ...] = ()
     missing: str = ""
     limit: float = 0.0
-    placed: bool = True
+    rival: Rival | None = None
     vague: bool = False
     alike: bool = False
 
@@ -92,7 +92,7 @@ def believe_literally(
     share = 1.0 / len(best.options)
     options = tuple(((best.kind, names), share) for names in best.options)
     alike = len(scene.layout.colors) < 2
-    return LiteralBelief(options, placed=best.placed, vague=best.vague, alike=alike)
+    return LiteralBelief(options, rival=best.rival, vague=best.vague, alike=alike)
 
 
 def _seen_otherwise(graded: GradedBelief, limit: float) -> bool:

@@ -23,6 +23,19 @@ _FORMING = frozenset("form forms make makes making create creates become becomes
 
 
 @dataclass(frozen=True)
+class Rival:
+    """A reference of a destination that holds of several things.
+
+    Attributes:
+        text: its words.
+        ids: the things.
+    """
+
+    text: str
+    ids: tuple[str, ...]
+
+
+@dataclass(frozen=True)
 class Literal:
     """What a text means literally.
 
@@ -31,7 +44,7 @@ class Literal:
         missing: what is not there, as a sentence for people; "" where all is.
         limit: that is believed where the graded reading agrees less with the world than this.
         kind: of action.
-        placed: whether it is plain where to.
+        rival: what the words for where to leave open, or None where that is plain.
         vague: whether relations were read on which eyes differ.
     """
 
@@ -39,7 +52,7 @@ class Literal:
     missing: str = ""
     limit: float = 0.0
     kind: str = "pick"
-    placed: bool = True
+    rival: Rival | None = None
     vague: bool = False
 
 
@@ -57,7 +70,7 @@ def read_literally(tree: Phrase, scene: Scene, history: Sequence[int] = ()) -> L
         if told.target is None or told.doubt:
             return None
         vague = reader.vague
-        placed = _check(told.destination, told.target, reader)
+        rival = _check(told.destination, told.target, reader)
     except Missing as missing:
         return Literal(missing=str(missing), limit=missing.limit)
     except Unread:
@@ -65,22 +78,22 @@ def read_literally(tree: Phrase, scene: Scene, history: Sequence[int] = ()) -> L
     ids = scene.layout.ids
     if told.sets:
         options = [tuple(ids[i] for i in np.flatnonzero(mask)) for mask, _ in told.sets]
-        return Literal(tuple(dict.fromkeys(options)), kind=told.kind, placed=placed, vague=vague)
+        return Literal(tuple(dict.fromkeys(options)), kind=told.kind, rival=rival, vague=vague)
     members = np.flatnonzero(told.target > HOLDS)
     if not len(members):
         return None
-    return Literal(tuple((ids[i],) for i in members), kind=told.kind, placed=placed, vague=vague)
+    return Literal(tuple((ids[i],) for i in members), kind=told.kind, rival=rival, vague=vague)
 
 
-def _check(destination: Sequence[Phrase], target: Array, reader: LiteralReader) -> bool:
-    """Whether it is plain where to a destination leads; not what is to be formed there.
+def _check(destination: Sequence[Phrase], target: Array, reader: LiteralReader) -> Rival | None:
+    """What a destination leaves open; not what is to be formed there.
 
     Raises:
         Missing: something that it speaks of is not there.
     """
-    plain = True
+    rival: Rival | None = None
     if any(leaf.text in _FORMING for piece in destination for leaf in piece.leaves):
-        return plain
+        return None
     for piece in destination:
         for phrase in _named(piece):
             noun = read_noun(phrase)
@@ -103,8 +116,9 @@ def _check(destination: Sequence[Phrase], target: Array, reader: LiteralReader) 
             if leads and not ranks and meant.chosen and itself:
                 raise Missing(f"{phrase.text!r} is what is to be moved itself", FIRM)
             told = noun.colors and not noun.modifiers and phrase.leaves[0].text in _POINTING
-            plain &= bool(meant.chosen) or not told or meant.plural
-    return plain
+            if told and not meant.chosen and not meant.plural and rival is None:
+                rival = Rival(phrase.text, tuple(reader.layout.ids[i] for i in reader.members(meant.pool)))
+    return rival
 
 
 def _measures(noun: Noun) -> bool:

@@ -198,3 +198,24 @@ def test_no_question_is_asked_for_ever(answers):
         repeated = repeated + 1 if result.question == question else 0
         question = result.question
         assert question is None or repeated <= PATIENCE
+
+
+@pytest.mark.parametrize(
+    ("answer", "reference"), [("the nearest one", "b3"), ("the farthest blue block", "b2"), ("the second one", "b3"),
+                              ("the blue one on the right", "b3")],
+)  # fmt: skip
+def test_which_of_two_a_place_was_named_by_keeps_what_else_was_said_of_it(answer, reference):
+    move = "put the red block on the left two blocks to the right of the blue block"
+    conversation, asked = talked(move)
+    assert asked.outcome == "ambiguous"
+    assert conversation.waits
+    assert asked.question is not None
+    assert "nearest" in asked.question
+    result = conversation.say(answer)
+    assert result.outcome == "grounded"
+    (action,) = result.actions
+    there = scene()[reference].position
+    assert action.objects == ("b1",)
+    assert action.destination is not None
+    assert action.destination.reference == (reference,)
+    assert there[1] - action.destination.position[1] > 2 * 0.05  # to the right, two blocks off

@@ -56,7 +56,6 @@ def test_what_is_too_crooked_for_its_name_is_not_spoken_of():
     places = [(0.5, -0.3, z), (0.7, -0.1, z), (0.5, 0.1, z), (0.7, 0.3, z)]
     crooked = laid("crooked", places, "row")
     straight = laid("straight", [(0.6, y, z) for _, y, _ in places], "row")
-    assert ("row", 0b1111) in crooked.arrangements
     assert ("row", 0b1111) not in well_named(crooked).arrangements
     assert well_named(straight).arrangements == straight.arrangements
 

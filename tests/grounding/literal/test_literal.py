@@ -133,8 +133,11 @@ def test_a_destination_that_is_not_there_is_missing():
 
 
 def test_it_is_open_where_to_if_the_place_is_that_of_several():
-    assert not read("put the yellow block behind the red block").placed
-    assert read("put the yellow block behind a red block").placed
+    rival = read("put the yellow block behind the red block").rival
+    assert rival is not None
+    assert rival.text == "the red block"
+    assert len(rival.ids) > 1
+    assert read("put the yellow block behind a red block").rival is None
 
 
 def test_relations_are_marked_as_vague():
