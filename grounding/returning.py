@@ -45,7 +45,7 @@ def returned(answer: Grounding, world: World, before: World | None) -> Grounding
     ):
         return answer
     action = replace(asked[0], action="place", destination=None)
-    place = None if before is None else _place_of(action, world, before)
+    place = _place_of(action, world, world if before is None else before)
     if place is not None:
         taken = _occupied(action.objects[0], place, world)
         if taken is None:
@@ -66,8 +66,6 @@ def _place_of(action: GroundedAction, world: World, before: World) -> tuple[floa
     if len(action.objects) != 1 or name not in before.by_id or name not in world.by_id:
         return None
     place = before[name].position
-    if float(np.linalg.norm(place - world[name].position)) < _STILL:
-        return None
     x, y, z = (float(value) for value in place)
     return x, y, z
 

@@ -9,6 +9,7 @@ import numpy as np
 
 from grounding.graded import words
 from grounding.graded.destinations import Spot, agreed, find_spot
+from grounding.graded.destinations.units import in_spaces
 from grounding.graded.discourse import Told, read_text
 from grounding.graded.reader import Reader
 from grounding.graded.scene import ROBOT, SPEAKER, Scene
@@ -94,7 +95,9 @@ class GradedBelief:
             if said in found:
                 found[said] = (found[said][0], found[said][1] + reading.share)
                 continue
-            spot = find_spot(told.destination, source, reading.reader, told.whole if told.kind == "place" else None)
+            pieces = [in_spaces(piece, scene.edge) for piece in told.destination]
+            whole = in_spaces(told.whole, scene.edge) if told.whole is not None and told.kind == "place" else None
+            spot = find_spot(pieces, source, reading.reader, whole)
             if spot is not None:
                 found[said] = (spot, reading.share)
         spot = agreed([(spot, share) for spot, share in found.values()], scene.edge)

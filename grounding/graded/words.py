@@ -47,7 +47,7 @@ _AGENTS = {
 _LONE = frozenset("lone alone single solitary isolated lonely sole solo itself standalone own separate loner loose "
                   "stray unstacked freestanding free-standing".split())  # fmt: skip
 _OTHER = frozenset("other another remaining else".split())
-_APART = frozenset("separated apart isolated detached separate away".split())
+_APART = frozenset("separated apart isolated detached separate away outside".split())
 _TOUCHING = frozenset("touching touches touch adjacent flush against connected contacting attached joined abutting "
                       "bordering touched".split())  # fmt: skip
 _BESIDE = frozenset("next beside by near close alongside nearby besides".split())

@@ -36,6 +36,7 @@ _ADVERBS = _STRICT | frozenset(
 )
 _REFUSED = frozenset("aligned level flush line parallel facing opposite diagonal separated than forming making across "
                      "around until not n't isn't without except surrounded same other".split())  # fmt: skip
+_APART = frozenset("away apart outside opposite beyond".split())
 _CLAUSE = frozenset("is are 's was were that which who also still now completely located situated positioned placed "
                     "sitting standing lying sits lies stands sit lie stand see can and but both you i it just".split())
 _VIEWS = frozenset("perspective view viewpoint standpoint vantage position point".split())
@@ -60,7 +61,8 @@ def modify(reader: LiteralReader, phrase: Phrase, noun: Noun, pool: int) -> list
         return []
     if phrase.tag == "NP":
         return _predicate(reader, read_noun(phrase), pool)
-    if _REFUSED & set(texts):
+    ranked = any(w.is_ranking(text) for text in texts)
+    if _REFUSED & set(texts) or (_APART & set(texts) and not ranked):
         raise Unread(phrase.text)
     if phrase.tag in ("SBAR", "S", "VP"):
         return _clause(reader, phrase, texts, noun, pool)

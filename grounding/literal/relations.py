@@ -26,6 +26,10 @@ def region_of(reader: LiteralReader, meant: Meant, relation: str, phrase: Phrase
     if relation in ("above", "below"):
         upright = "top" if relation == "above" else "bottom"
         stands = meant.chosen and layout.within(Region(upright, meant.kind, layout.names(meant.chosen)))
+        if not meant.chosen and reader.scene.towers and meant.pool.bit_count() <= MOST_REFERENCES:
+            found = _of_some(reader, meant.pool, upright, 1, text)
+            if found:
+                return Narrow(found)
         relation = upright if stands else "back" if relation == "above" else "front"
     if relation == "touching":
         return Narrow(_in_contact(reader, meant, text), vague=True)

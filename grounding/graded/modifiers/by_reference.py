@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from grounding.graded import scores
 from grounding.graded import words as w
 from grounding.graded.modifiers.enclosing import between
 from grounding.graded.modifiers.heard import Heard
@@ -43,7 +44,9 @@ def _apart(reader: Reader, heard: Heard, noun: Noun, value: Value) -> list[Effec
     if not w.is_apart(heard.texts) or value.kind not in _THINGS or not value.weights.any():
         return None
     scene = reader.scene
-    return [Restriction(1.0 - near(scene, value, 1.0)), Rank(distance_to(scene, value), None, scene.edge)]
+    inside = value.weights / scores.peak(value.weights) if value.kind == "sets" else np.zeros(scene.n)
+    apart = 1.0 - np.maximum(near(scene, value, 1.0), inside)  # nothing is apart from what it belongs to
+    return [Restriction(apart), Rank(np.where(inside > 0.5, 0.0, distance_to(scene, value)), None, scene.edge)]
 
 
 def _by_somebody(reader: Reader, heard: Heard, noun: Noun, value: Value) -> list[Effect] | None:
