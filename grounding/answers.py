@@ -16,7 +16,7 @@ from grounding.language.lexicon import meanings
 from grounding.language.parser import Parse
 from grounding.language.tree import Phrase
 from grounding.missing import targets
-from grounding.symbols import LAST, Cardinal, Ordinal
+from grounding.symbols import LAST, Cardinal, ObjectColor, ObjectType, Ordinal
 from grounding.world import Array
 
 TOLD = 0.6  # an alternative is taken when it has such a share of what an answer says
@@ -81,6 +81,22 @@ def by_words(text: str, count: int, named: int) -> Answer | None:
         return Answer("chosen", tuple(range(count if told == ["all"] else 2)), 0.99) if count > 1 else None
     place = _listed(told, words, named)
     return None if place is None else Answer("chosen", (place,), 0.99)
+
+
+def by_offer(text: str, offers: Sequence[str]) -> Answer | None:
+    """The alternative that an answer names in the very words of the question; None where it uses others."""
+    said = _telling(text)
+    same = [place for place, offer in enumerate(offers) if said and said == _telling(offer)]
+    return Answer("chosen", (same[0],), 0.99) if len(same) == 1 else None
+
+
+def _telling(text: str) -> list[str]:
+    """The words that tell one of several alike from the others."""
+    things = (ObjectColor, ObjectType)
+    return [
+        word for word in words_of(text)
+        if word not in _FILLING - {"two", "three"} and not any(isinstance(s, things) for s in meanings(word))
+    ]  # fmt: skip
 
 
 def _listed(told: Sequence[str], words: Sequence[str], named: int) -> int | None:

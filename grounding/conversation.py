@@ -6,14 +6,14 @@ import time
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
 
-from grounding.answers import Answer, by_description, by_words, commands, words_of
+from grounding.answers import Answer, by_description, by_offer, by_words, commands, words_of
 from grounding.course import Course, world_after
 from grounding.dialogue import LISTED, MOST
 from grounding.distinguishing import Describer
 from grounding.errors import LanguageError
 from grounding.grounder import Followed, Grounder, Understanding
 from grounding.pooling import Pooled
-from grounding.questions import NAMED, question
+from grounding.questions import NAMED, offered, question
 from grounding.result import GroundedAction, Grounding
 from grounding.world import World
 
@@ -140,13 +140,20 @@ class Conversation:
 
     def _chosen(self, text: str, pending: Pending) -> Grounding:
         count = len(pending.options)
-        answer = by_words(text, count, pending.named)
+        answer = by_words(text, count, pending.named) or by_offer(text, self._offers(pending))
         if answer is None:
             return self._described(text, pending)
         if answer.kind == "none" and answer.rest:
             rest = replace(pending, options=pending.options)
             return self._described(answer.rest, rest)
         return self._follows(answer, text, pending)
+
+    @staticmethod
+    def _offers(pending: Pending) -> list[str]:
+        """The words by which the open question named alternatives."""
+        listed = [option.objects for option in pending.options[:MOST]]
+        describer = Describer(pending.understanding.scene)
+        return offered(listed, describer, len(pending.options) - len(listed)) if len(listed) > 1 else []
 
     def _described(self, text: str, pending: Pending) -> Grounding:
         """An answer in words of its own, or an instruction that comes instead of one."""

@@ -2,11 +2,21 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from itertools import pairwise
+
 from grounding.graded.discourse import HANDLING
 from grounding.language.tree import Phrase
 
 _NEGATIONS = frozenset(("not", "n't", "never", "don't", "dont"))
 _NONE = frozenset(("0", "zero", "no"))
+_ASKING = frozenset("what which how where who whose why when is are does did was were".split())
+_OTHER_DEEDS = frozenset(
+    "ignore leave skip avoid smash break destroy crush throw toss hurl paint color rotate spin flip roll kick hit "
+    "punch cut eat burn count describe explain unstack weigh measure photograph clean wash open close".split()
+)
+_PLACING = frozenset(HANDLING["place"])
+_BESIDE = frozenset("on onto atop upon to beside behind under below above near".split())
 _STATING = frozenset(("is", "are", "'s", "does", "was", "were", "am", "be", "will", "would", "should", "has", "have"))
 _HANDLED = frozenset(word for verbs in HANDLING.values() for word in verbs)
 _CLAUSES = ("VP", "S")
@@ -21,6 +31,16 @@ def forbidden(tree: Phrase) -> str | None:
     Args:
         tree: the parse.
     """
+    texts = [leaf.text for leaf in tree.leaves]
+    if not _HANDLED & set(texts):
+        if texts[0] in _ASKING:
+            return "that is a question; I pick up, place and clear: say what to handle"
+        verb = next((text for text in texts[:2] if text in _OTHER_DEEDS), None)
+        if verb is not None:
+            return f"I cannot {verb!r} things; I pick up, place and clear"
+    nowhere = _nowhere(texts)
+    if nowhere is not None:
+        return nowhere
     clauses = _commands(tree)
     named = (phrase for clause in clauses for phrase in _objects(clause))
     nothing = next((phrase for phrase in named if phrase.leaves[0].text in _NONE), None)
@@ -30,6 +50,18 @@ def forbidden(tree: Phrase) -> str | None:
     if denied and len(denied) == len(clauses):
         text = denied[0].text.replace(" n't", "n't")
         return f"{text!r} tells me what not to do; say what to do"
+    return None
+
+
+def _nowhere(texts: Sequence[str]) -> str | None:
+    """Why a place that is named cannot be one."""
+    if not _PLACING & set(texts):
+        return None
+    for before, text in pairwise(texts):
+        if text == "itself" and before in _BESIDE:
+            return "nothing can be put on or beside itself; say where else"
+        if text == "floor" and before in ("the", "on", "onto"):
+            return "I cannot reach the floor; say a place on the table"
     return None
 
 

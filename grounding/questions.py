@@ -58,6 +58,24 @@ def where(destination: Destination, describer: Describer) -> str:
     return f"{_WHERE[destination.relation]} {describe_objects(destination.reference, describer)}"
 
 
+def offered(meant: Sequence[tuple[str, ...]], describer: Describer, more: int) -> list[str]:
+    """The words by which a question names alternatives, those that it names.
+
+    Args:
+        meant: ids of the alternatives, the likeliest first.
+        describer: of the world's things.
+        more: how many alternatives there are besides.
+    """
+    rivals = () if more else tuple(dict.fromkeys(name for objects in meant for name in objects))
+    return [_description(objects, describer, rivals).text for objects in meant[:NAMED]]
+
+
+def _description(names: Sequence[str], describer: Describer, rivals: Sequence[str]) -> Description:
+    if len(names) == 1:
+        return describer.describe(names[0], rivals)
+    return Description(name_objects(describer.scene.layout, names), "")
+
+
 def _which(meant: Sequence[tuple[str, ...]], describer: Describer, more: int) -> str:
     rivals = () if more else tuple(dict.fromkeys(name for objects in meant for name in objects))
     named = list(meant[:NAMED])
@@ -65,10 +83,5 @@ def _which(meant: Sequence[tuple[str, ...]], describer: Describer, more: int) ->
     sizes = {len(objects) for objects in meant}
     if sizes != {1} and len(sizes) == 1 and len(meant) > NAMED:
         return f"Which {spelled(sizes.pop())} of them do you mean?"
-    found = [
-        describer.describe(objects[0], rivals)
-        if len(objects) == 1
-        else Description(name_objects(describer.scene.layout, objects), "")
-        for objects in named
-    ]
+    found = [_description(objects, describer, rivals) for objects in named]
     return f"Do you mean {listed_descriptions(found, rest)}?"

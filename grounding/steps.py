@@ -110,6 +110,9 @@ def _shared(clause: Phrase) -> list[Phrase]:
     """A command whose destination is followed by "and" with another thing and its destination, as two commands."""
     if clause.tag != "VP" or not any(isinstance(c, Phrase) and c.tag == "NP" for c in clause.children):
         return [clause]
+    listed = _listed(clause)
+    if len(listed) > 1:
+        return listed
     last = clause.children[-1]
     if isinstance(last, Phrase) and last.tag in ("VP", "S") and _named(clause) is not None:
         before = last.children[:-1] if last.tag == "S" else ()
@@ -129,6 +132,31 @@ def _shared(clause: Phrase) -> list[Phrase]:
         return [clause]
     second = Phrase("VP", (*(replace(word, index=joint.index) for word in verb), *pieces))  # the verb is understood
     return [_lifted(left), *_shared(second)] if _named(second) is not None else [clause]
+
+
+def _listed(clause: Phrase) -> list[Phrase]:
+    """A command for several things one after the other, as one for each: "take A, then B", "take A, B and C"."""
+    verbs = HANDLING["pick"] + HANDLING["clear"]
+    if not any(word.text in verbs for word in clause.words):
+        return [clause]
+    places = (i for i, child in enumerate(clause.children) if isinstance(child, Phrase) and child.tag == "NP")
+    place = next(places, None)
+    if place is None:
+        return [clause]
+    verb, things = clause.children[:place], [clause.children[place]]
+    for child in clause.children[place + 1 :]:
+        if not isinstance(child, Phrase):
+            return [clause]
+        texts = [word.text for word in child.words]
+        then = child.tag == "PP" and texts == ["then"] and len(child.phrases) == 1
+        if then:
+            things.append(child.phrases[0])
+        elif child.tag == "NP" and texts == ["and"] and len(child.phrases) > 1:
+            things += child.phrases
+        else:
+            return [clause]
+    commands = [Phrase("VP", (*verb, thing)) for thing in things]
+    return commands if all(_named(command) is not None for command in commands) else [clause]
 
 
 def _lifted(clause: Phrase) -> Phrase:
