@@ -132,7 +132,7 @@ class Conversation:
     def _done(self, actions: Iterable[GroundedAction]) -> None:
         for action in actions:
             after = world_after(self._world, action)
-            if after is not self._world:
+            if after is not self._world or action.action == "pick":  # where it lay is where it goes back
                 self._before, self._world = self._world, after
             self._history += action.objects
 

@@ -44,7 +44,8 @@ class Course:
         for action in answer.actions:
             world = world_after(world, action)
         handled = tuple(name for action in answer.actions for name in action.objects)
-        before = self.world if world is not self.world else self.before
+        picked = any(action.action == "pick" for action in answer.actions)  # where it lay is where it goes back
+        before = self.world if picked or world is not self.world else self.before
         return replace(self, world=world, before=before, history=(*self.history, *handled), done=(*self.done, answer))
 
     def result(self, last: Grounding | None = None) -> Grounding:

@@ -45,7 +45,7 @@ def returned(answer: Grounding, world: World, before: World | None) -> Grounding
     ):
         return answer
     action = replace(asked[0], action="place", destination=None)
-    place = _place_of(action, world, world if before is None else before)
+    place = None if before is None else _place_of(action, world, before)
     if place is not None:
         taken = _occupied(action.objects[0], place, world)
         if taken is None:

@@ -88,6 +88,8 @@ class GradedBelief:
         if source is None:
             return None
         scene = self.readings[0].reader.scene
+        if len(objects) > 1 and not any(_leads(piece) for r in self.readings[:HEARD] for piece in r.told.destination):
+            return None  # "stack the two red blocks": on what?
         found: dict[tuple[str, tuple[Phrase, ...]], tuple[Spot, float]] = {}
         for reading in self.readings[:HEARD]:
             told, view = reading.told, reading.reader.view
@@ -102,6 +104,11 @@ class GradedBelief:
                 found[said] = (spot, reading.share)
         spot = agreed([(spot, share) for spot, share in found.values()], scene.edge)
         return None if spot is None else _destination(spot, source, scene)
+
+
+def _leads(piece: Phrase) -> bool:
+    """Whether a piece of a destination tells more than the verb does."""
+    return bool(piece.phrases) or any(words.directions(leaf.text) for leaf in piece.leaves) or piece.tag != "VP"
 
 
 def believe(parses: Sequence[Parse], scene: Scene, history: Sequence[str] = ()) -> GradedBelief:

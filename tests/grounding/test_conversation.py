@@ -219,3 +219,23 @@ def test_which_of_two_a_place_was_named_by_keeps_what_else_was_said_of_it(answer
     assert action.destination is not None
     assert action.destination.reference == (reference,)
     assert there[1] - action.destination.position[1] > 2 * 0.05  # to the right, two blocks off
+
+
+def test_what_was_only_picked_up_goes_back_to_its_place():
+    conversation, _ = talked("pick up the leftmost red block")
+    result = conversation.say("put it back")
+    assert result.outcome == "grounded"
+    assert result.actions[0].destination.position == pytest.approx(scene()["b1"].position)
+
+
+@pytest.mark.parametrize(("world", "text"), [("two_rows", "take a block"), ("twelve", "take a red block")])
+def test_the_words_of_a_question_are_its_best_answer(world, text):
+    conversation, asked = talked(text, world=world)
+    assert asked.outcome == "ambiguous"
+    named = asked.question.removeprefix("Do you mean ").removesuffix("?").split(", or ")[0].split(", ")
+    for place, offer in enumerate(named[:2]):
+        again, _ = talked(text, world=world)
+        result = again.say(offer)
+        assert result.outcome == "grounded", offer
+        assert result.actions[0].objects == asked.alternatives[place].objects
+    assert conversation.waits

@@ -42,6 +42,7 @@ def test_one_thing_is_one_place(text):
 @pytest.mark.parametrize(
     ("text", "expected"),
     [("take the leftmost block. take the rightmost block", [("pick", (FIRST,)), ("pick", (LAST,))]),
+     ("take the leftmost block, then the rightmost block", [("pick", (FIRST,)), ("pick", (LAST,))]),
      ("move the leftmost block out of the way and pick up the rightmost block",
       [("clear", (FIRST,)), ("pick", (LAST,))]),
      ("put the leftmost block on the nearest block and then the rightmost block next to the farthest block",

@@ -16,9 +16,14 @@ ALONG = 0.16  # width along what is named, of the half extent
 ACROSS = 0.6  # width across it
 
 
+_EVERY_CORNER = np.array([[1.0, 1], [1, -1], [-1, 1], [-1, -1]])
+
+
 def _target(clue: Clue, plan: Plan, reader: Reader) -> tuple[Array, Array]:
-    """Middle and widths of a part of the table, each of shape (2,), in edges."""
+    """Middles (m, 2) and widths (2,) of parts of the table in edges: all four where a corner is named by no side."""
     noun = clue.nouns[0]
+    if noun.place == "corner" and not noun.directions and not noun.middle:
+        return np.asarray(plan.centre + _EVERY_CORNER * OUT * plan.half), np.asarray(ALONG * plan.half)
     flat = dict.fromkeys({"up": "back", "down": "front"}.get(name, name) for name in noun.directions)
     vector = np.zeros(2)
     for name in flat:
@@ -28,18 +33,18 @@ def _target(clue: Clue, plan: Plan, reader: Reader) -> tuple[Array, Array]:
     centre = plan.centre + (vector * OUT + seen) * plan.half
     named = np.abs(vector) > 0.5
     free = ~named & bool(flat) & (not noun.middle)
-    return np.asarray(centre), np.asarray(np.where(free, ACROSS, ALONG) * plan.half)
+    return np.asarray(centre[None]), np.asarray(np.where(free, ACROSS, ALONG) * plan.half)
 
 
 def side_points(clue: Clue, shift: Shift, plan: Plan, reader: Reader) -> Array:
-    """The point that is meant most, shape (1, 2) in edges."""
-    centre, _ = _target(clue, plan, reader)
-    sign = shift.steps * PITCH + shift.open * PITCH
-    return np.asarray((centre + sign)[None])
+    """The points that are meant most, shape (m, 2) in edges."""
+    centres, _ = _target(clue, plan, reader)
+    return np.asarray(centres + (shift.steps + shift.open) * PITCH)
 
 
 def side_map(clue: Clue, shift: Shift, points: Array, plan: Plan, reader: Reader) -> Array:
     """How well points (p, 2) lie in a part of the table."""
-    centre, width = _target(clue, plan, reader)
-    centre = centre + (shift.steps + shift.open) * PITCH
-    return np.asarray(gaussian((points - centre) / width, 1.0).prod(axis=1))
+    centres, width = _target(clue, plan, reader)
+    centres = centres + (shift.steps + shift.open) * PITCH
+    away = (points[:, None] - centres[None]) / width
+    return np.asarray(gaussian(away, 1.0).prod(axis=2).max(axis=1))

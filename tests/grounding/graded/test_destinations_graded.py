@@ -118,6 +118,20 @@ def test_a_diagonal_goes_so_far_along_both_axes():
     assert offset[0] > 1.8
 
 
+@pytest.mark.parametrize(
+    ("said", "metres"), [("20 cm", 0.2), ("200 mm", 0.2), ("0.15 meters", 0.15), ("6 inches", 0.1524)]
+)
+def test_metric_distances_are_metres(said, metres):
+    start = WORLD["red"].position
+    assert where(f"move the red block {said} to the right")[1] == pytest.approx(start[1] - metres, abs=0.4 * EDGE)
+
+
+def test_a_corner_without_a_side_is_one_of_the_four():
+    x, y, _ = where("put the red block in the corner")
+    assert abs(x - TABLE.position[0]) > 0.4 * TABLE.half_extents[0]
+    assert abs(y - TABLE.position[1]) > 0.4 * TABLE.half_extents[1]
+
+
 def test_toward_you_is_toward_the_robot():
     before = WORLD["red"].position
     after = where("pull the red block towards you two spaces")

@@ -45,6 +45,7 @@ def believed(text):
         ("there is a group of three green blocks on your right, get the green block that is not in that group",
          "g4"),
         ("pick up the green block that is farthest from you of the four", "g4"),
+        ("take the green block away from the group of three green blocks", "g4"),
     ],
 )  # fmt: skip
 def test_what_is_said_apart_is_heard_together(text, name):
