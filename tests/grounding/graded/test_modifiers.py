@@ -35,14 +35,14 @@ def believed(text):
 @pytest.mark.parametrize(
     ("text", "name"),
     [
-        ("pick up the green block that is not with the other green blocks", "g4"),
-        ("pick up the green block that is separated from the three other green blocks", "g4"),
+        ("get the green cube that is not with the other green cubes", "g4"),
+        ("lift the green cube that stands apart from the three other green cubes", "g4"),
         ("grab the orange block that is on the left side but is the closer one to you", "o1"),
         ("take the orange block that is the farthest from you and next to a blue block", "o2"),
         ("take the orange block that has a yellow block to its right", "o3"),
         ("on the left are two orange blocks. take the one that is closer to you", "o1"),
         ("there are two orange blocks on the left - take the one that is closer to you", "o1"),
-        ("there is a group of three green blocks on your right, get the green block that is not in that group",
+        ("there is a group of three green cubes on your right, get the green cube that is not in that group",
          "g4"),
         ("pick up the green block that is farthest from you of the four", "g4"),
         ("take the green block away from the group of three green blocks", "g4"),
