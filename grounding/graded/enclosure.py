@@ -68,16 +68,15 @@ def _at_least(chances: Array, count: int) -> Array:
 
 def between_two(scene: Scene, first: Array, second: Array) -> Array:
     """How well every object lies between some pair of references with weights (n,) each, shape (n,)."""
-    ones, others = _likeliest(first), _likeliest(second)
+    pairs = [(i, j) for i in _likeliest(first) for j in _likeliest(second) if i != j]
+    worth = np.array([
+        first[i] * second[j] * np.exp(-max(float(scene.apart[i, j]) / scene.edge - 2.5, 0.0) / SPAN) for i, j in pairs
+    ])  # fmt: skip
     total = np.zeros(scene.n)
-    for i in ones:
-        for j in others:
-            if i == j:
-                continue
-            held = scores.between(scene.xy, scene.xy[i], scene.xy[j], scene.edge)
-            held[[i, j]] = 0.0
-            length = float(scene.apart[i, j]) / scene.edge
-            total = np.maximum(total, first[i] * second[j] * np.exp(-max(length - 2.5, 0.0) / SPAN) * held)
+    for (i, j), chance in zip(pairs, worth / scores.peak(worth), strict=True):
+        held = scores.between(scene.xy, scene.xy[i], scene.xy[j], scene.edge)
+        held[[i, j]] = 0.0
+        total = np.maximum(total, chance * held)
     return total
 
 
