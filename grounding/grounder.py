@@ -16,15 +16,19 @@ from grounding.factors import load_model
 from grounding.forbidding import without_forbidden
 from grounding.geometry.layout import Layout
 from grounding.graded.belief import GradedBelief, believe
+from grounding.graded.colors import taken_for
 from grounding.graded.scene import Scene
 from grounding.inference import Adcg
+from grounding.language.lexicon import meanings
 from grounding.language.parser import Parse, Parser
+from grounding.language.tree import Phrase
 from grounding.literal import LiteralBelief, believe_literally
 from grounding.pooling import Pooled
 from grounding.readings import Reading, readings
 from grounding.result import GroundedAction, Grounding
 from grounding.returning import returned, returns
 from grounding.steps import Step, split
+from grounding.symbols import ObjectColor
 from grounding.unanswered import open_options
 from grounding.world import World
 
@@ -78,7 +82,14 @@ class Understanding:
         result = decide(self.text, self.readings, self.scene, parse.unknown_words, self.graded, self.literal)
         if returns(tree):
             result = returned(result, self.scene.layout.world, before)
-        return replace(result, mended=parse.mended)
+        return replace(result, mended=(*parse.mended, *self._recolored(tree)))
+
+    def _recolored(self, tree: Phrase) -> list[tuple[str, str]]:
+        """The colours that were said and that others were taken for, as nothing here has them."""
+        symbols = (symbol for leaf in tree.leaves for symbol in meanings(leaf.text))
+        said = dict.fromkeys(symbol.name for symbol in symbols if isinstance(symbol, ObjectColor))
+        others = ((color, taken_for(self.scene, color)) for color in said)
+        return [(color, other) for color, other in others if other is not None]
 
     def options(self) -> tuple[Pooled, ...]:
         """All that may be spoken of, the likeliest first; those that are left open where nothing helped."""

@@ -11,6 +11,13 @@ _ALIASES = {"purple": ("blue",), "gray": ("white", "black"), "brown": ("orange",
 """The basic colours are not taken for others: "red" where nothing is red means something that is not there."""
 
 
+def taken_for(scene: Scene, color: str) -> str | None:
+    """The colour that is there and that a word which nothing here has is taken for, or None."""
+    if color in scene.layout.colors:
+        return None
+    return next((alias for alias in _ALIASES.get(color, ()) if alias in scene.layout.colors), None)
+
+
 def colored(scene: Scene, colors: tuple[str, ...]) -> Array:
     """One for every object of one of some colours, else zero, shape (n,); all are one where no colour was said."""
     if not colors:

@@ -364,3 +364,10 @@ def test_worlds_of_any_size(count):
     nearest = min(blocks, key=lambda o: np.hypot(*o.position[:2])).id
     assert picks("pick up the nearest block", furnished(*blocks)) == {nearest}
     checked(grounder().ground(FIGURE_1, furnished(*blocks)), FIGURE_1, furnished(*blocks))
+
+
+def test_a_colour_that_is_taken_for_another_is_told():
+    world = load_world(models.SCENES / "four.json")
+    result = Grounder.load().ground("take the purple block on the left", world)
+    assert ("purple", "blue") in result.mended
+    assert not Grounder.load().ground("take the blue block on the left", world).mended
