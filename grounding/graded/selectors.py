@@ -13,6 +13,8 @@ from grounding.graded.values import Rank
 from grounding.world import Array
 
 _JOINT = 2.5  # where several ranks select together, each is seen so much less finely
+_HIGHEST = 0.15  # how often "the top block" is the highest where some lie on others, and not the farthest
+_ABOVE = 40.0  # [1] then height counts so many times more than distance
 
 
 def choose(
@@ -44,6 +46,8 @@ def choose(
         noise = rank.noise * (scale if index == 1 else 1.0)
         key = rank.height * scene.z if in_stack and rank.height else rank.key
         part = scores.ranked(pool, key, index, noise)
+        if rank.height > 0 and index == 1 and not in_stack and _uneven(scene, pool):
+            part = (1 - _HIGHEST) * part + _HIGHEST * scores.ranked(pool, key + _ABOVE * scene.z, index, noise)
         weights = weights * part if len(ranks) > 1 else part
     if noun.middle and not noun.directions:
         weights = middle_one(scene, weights, chosen=chosen)
@@ -64,7 +68,8 @@ def adjectives(
                 names.remove(name)
     if names or (noun.middle and noun.directions):
         place = make_place(scene, names, noun.agent or view, middle=noun.middle, corner=len(names) > 1, bare=True)
-        ranks.append(Rank(closeness(scene, place), None, noise))
+        highest = 1 if names == ["up"] and not noun.middle and not chosen else 0
+        ranks.append(Rank(closeness(scene, place), None, noise, height=highest))
     if noun.distance and not (noun.distance == "far" and noun.directions):  # "the farthest left" is the leftmost
         sign = 1.0 if noun.distance == "near" else -1.0
         ranks.append(Rank(-sign * distance_from(scene, noun.agent or ROBOT), None, noise))
@@ -75,6 +80,11 @@ def _upright(scene: Scene, pool: Array) -> bool:
     """Whether all that is likely belongs to stacks."""
     likely = pool > 0.5 * scores.peak(pool)
     return bool(likely.any()) and bool(scene.stacked[likely].all())
+
+
+def _uneven(scene: Scene, pool: Array) -> bool:
+    """Whether something likely lies on something."""
+    return bool((scene.stacked & scene.clear & (pool > 0.3 * scores.peak(pool))).any())
 
 
 def _counted_off(scene: Scene, view: str, pool: Array, ordinal: int, kinds: tuple[str, ...]) -> Array:

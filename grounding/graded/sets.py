@@ -11,7 +11,7 @@ from grounding.graded.scene import Scene
 Sets = list[tuple[np.ndarray, float]]
 
 _MOST = 12
-LEAST = 0.04  # who counts more than stand out means the next ones too, where they fit at least so well
+_STRETCHED = 0.12  # who counts more than stand out means the next ones too, however little they fit
 GAPS = (0.45, 0.6, 0.7, 0.8, 0.9, 1.1)  # that part two bands [edges]
 
 
@@ -150,28 +150,26 @@ def collected(scene: Scene, weights: np.ndarray, number: int | None, universal: 
     found: Sets = []
     if not count:
         return found
-    if number is None or universal:
+    if number is None or (universal and count == number):
         found.append((likely, 1.0))
         if not universal:
             found += [(mask, 0.5 * weight) for mask, weight in clusters(scene, likely)]
         return found
+    order = np.argsort(-weights, kind="stable")[:number]
+    first = np.zeros(scene.n, dtype=bool)
+    first[order] = True
     if count == number:
         found.append((likely, 1.0))
     elif count > number:
-        near = [(m, s) for m, s in clusters(scene, likely) if int(m.sum()) == number]
-        found += near
+        found += [(m, s) for m, s in clusters(scene, likely) if int(m.sum()) == number]
         for a in scene.arrangements(likely):
             if a.count == number and a.kind in ("row", "column", "circle"):
                 found.append((scene.members(a.mask), 0.4 * (1.0 - math.exp(-max(a.prominence, 0.05)))))
-        order = np.argsort(-weights, kind="stable")[:number]
-        mask = np.zeros(scene.n, dtype=bool)
-        mask[order] = True
         chosen, following = float(weights[order].mean()), float(np.sort(weights)[::-1][number])
-        found.append((mask, max(0.15 * chosen, chosen - following)))
+        found.append((first, max(0.15 * chosen, chosen - following)))
     else:
-        order = np.argsort(-weights, kind="stable")[:number]
-        mask = np.zeros(scene.n, dtype=bool)
-        mask[order] = True
         share = float(weights[order].min()) / float(weights.max())
-        found.append((mask, math.sqrt(share)) if len(order) == number and share > LEAST else (likely, 0.1))
+        if len(order) == number and share > 0:
+            found.append((first, max(math.sqrt(share), _STRETCHED)))
+        found.append((likely, 0.1 * math.exp(count - number)))
     return sorted(found, key=lambda item: -item[1])[:_MOST]

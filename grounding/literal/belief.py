@@ -33,6 +33,8 @@ class LiteralBelief:
         rival: what the words for where to leave open, as far as they were read.
         vague: whether relations were read on which eyes differ.
         alike: whether places are all that tells the things of the world apart.
+        plural: whether it speaks of several: where a side or a neighbourhood ends is read off graded worths by a cut,
+            so that sets which hold literally are worth all.
     """
 
     options: tuple[tuple[Option, float], ...] = ()
@@ -41,11 +43,12 @@ class LiteralBelief:
     rival: Rival | None = None
     vague: bool = False
     alike: bool = False
+    plural: bool = False
 
     @property
     def worth(self) -> float:
         """How many times likelier what it leaves is than what it does not."""
-        return ALIKE if self.alike else VAGUE if self.vague else SHARP
+        return SHARP if self.plural else ALIKE if self.alike else VAGUE if self.vague else SHARP
 
     @property
     def is_open(self) -> bool:
@@ -92,7 +95,7 @@ def believe_literally(
     share = 1.0 / len(best.options)
     options = tuple(((best.kind, names), share) for names in best.options)
     alike = len(scene.layout.colors) < 2
-    return LiteralBelief(options, rival=best.rival, vague=best.vague, alike=alike)
+    return LiteralBelief(options, rival=best.rival, vague=best.vague, alike=alike, plural=best.plural)
 
 
 def _seen_otherwise(graded: GradedBelief, limit: float) -> bool:

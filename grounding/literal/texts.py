@@ -46,6 +46,7 @@ class Literal:
         kind: of action.
         rival: what the words for where to leave open, or None where that is plain.
         vague: whether relations were read on which eyes differ.
+        plural: whether it speaks of several.
     """
 
     options: tuple[tuple[str, ...], ...] = ()
@@ -54,6 +55,7 @@ class Literal:
     kind: str = "pick"
     rival: Rival | None = None
     vague: bool = False
+    plural: bool = False
 
 
 def read_literally(tree: Phrase, scene: Scene, history: Sequence[int] = ()) -> Literal | None:
@@ -78,7 +80,7 @@ def read_literally(tree: Phrase, scene: Scene, history: Sequence[int] = ()) -> L
     ids = scene.layout.ids
     if told.sets:
         options = [tuple(ids[i] for i in np.flatnonzero(mask)) for mask, _ in told.sets]
-        return Literal(tuple(dict.fromkeys(options)), kind=told.kind, rival=rival, vague=vague)
+        return Literal(tuple(dict.fromkeys(options)), kind=told.kind, rival=rival, vague=vague, plural=True)
     members = np.flatnonzero(told.target > HOLDS)
     if not len(members):
         return None

@@ -106,5 +106,7 @@ def test_who_counts_more_than_stand_out_means_the_next_as_well():
     (mask, weight), *_ = sets.collected(scene, np.array([1.0, 0.2, 0.15, 0.001]), 3, False)
     assert mask.tolist() == [True, True, True, False]
     assert 0.1 < weight < 1
-    (mask, weight), *_ = sets.collected(scene, np.array([1.0, 0.2, 0.15, 0.001]), 4, False)
-    assert weight <= 0.1
+    for universal in (False, True):  # "all four" are four
+        (mask, weight), *_ = sets.collected(scene, np.array([1.0, 0.2, 0.15, 0.001]), 4, universal)
+        assert mask.all()
+        assert weight < 0.2

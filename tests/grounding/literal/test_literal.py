@@ -183,3 +183,29 @@ def test_what_is_read_literally_alone_is_answered():
     assert result.outcome == "grounded"
     assert result.actions[0].objects == ("f",)
     assert result.phrases
+
+
+SPREAD = laid(a=("red", 0.5, 0.2), b=("red", 0.6, 0.32), c=("red", 0.7, 0.61), d=("red", 0.6, -0.3))
+
+
+@pytest.mark.parametrize(
+    ("text", "ids"),
+    [
+        ("take the three blocks on the left", "abc"),
+        ("clear the left side of the table", "abc"),
+        ("take all four blocks", "abcd"),
+    ],
+)
+def test_sets_that_hold_literally_are_meant_though_nothing_but_places_tells_blocks_apart(text, ids):
+    result = grounder().ground(text, SPREAD)
+    assert result.outcome == "grounded"
+    assert result.actions[0].objects == tuple(ids)
+
+
+def test_the_top_block_may_be_the_highest_of_all():
+    far = laid(a=("red", 0.45, 0.5), b=("red", 0.45, 0.5, 1), c=("green", 0.45, 0.445), d=("red", 0.8, -0.3),
+               e=("green", 0.8, -0.355))  # fmt: skip
+    flat = World(tuple(o for o in far.objects if o.id != "b"))
+    assert grounder().ground("take the green block touching the top red block", flat).actions[0].objects == ("e",)
+    believed = grounder().understand("take the top red block", far).options()
+    assert {option.objects for option in believed[:2]} == {("b",), ("d",)}
