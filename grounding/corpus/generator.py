@@ -22,6 +22,7 @@ from grounding.corpus.fitting import Vocabulary, fit, vocabulary
 from grounding.corpus.format import Example
 from grounding.corpus.guided import Guide, graft
 from grounding.corpus.meaning import NotAnnotatable
+from grounding.corpus.sense import is_sensible
 from grounding.corpus.treebank import LaidWorld, read_trees
 from grounding.corpus.variation import vary
 from grounding.corpus.wording import Topics, renumber, sample_tree, sentences_of
@@ -90,7 +91,7 @@ class _Making:
             tree = self._guided_tree(topics) if guided else self._tree(topics)
             if tree is None or self.taken[wording_of(tree)] >= MOST_COPIES or tree.text in self._texts:
                 continue
-            example = self._example(tree)
+            example = self._example(tree) if is_sensible(tree) else None
             if example is None or self._outcomes[example.outcome] >= self._most(example.outcome, count):
                 continue
             if best is None or len(example.groundings) > len(best.groundings):

@@ -41,7 +41,7 @@ _PLACES = {
     "corner": "corner corners quadrant quadrants",
 }
 _AGENTS = {
-    "robot": "you your yourself robot yours baxter them their theirs his",
+    "robot": "you your yourself robot yours baxter gripper them their theirs his",
     "speaker": "me my myself i mine us our",
 }
 _LONE = frozenset("lone alone single solitary isolated lonely sole solo itself standalone own separate loner loose "

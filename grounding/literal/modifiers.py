@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from grounding.geometry.masks import mask_of
+from grounding.geometry.masks import mask_of, single
 from grounding.graded import words as w
 from grounding.graded.nouns import Noun, read_noun
 from grounding.graded.scene import SPEAKER
@@ -148,7 +148,8 @@ def _relation(reader: LiteralReader, phrase: Phrase, words: list[Word], noun: No
     if meant.sort == "place" and texts[-1] == "from" and set(texts) <= {"up", "down", "in", "over", "from"}:
         preposition = "from"
     if meant.sort == "table" and preposition == "on" and reader.scene.towers:
-        return [Narrow(mask_of(i for i in range(reader.scene.n) if not reader.scene.raised[i]))]
+        lying = mask_of(i for i in range(reader.scene.n) if not reader.scene.raised[i])
+        return [Narrow(lying)] if single(pool & lying) else []  # else all that is there: "the bricks on the table"
     if meant.sort == "table":
         if preposition in _OF or preposition in ("on", "onto"):
             return []

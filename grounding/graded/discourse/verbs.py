@@ -59,7 +59,7 @@ def kind_of(verbs: list[str], clause: Phrase) -> str | None:
     last = [leaf.text for leaf in clause.leaves]
     if found <= {"place"} and found and {"away", "aside"} & set(last[-2:]) and not any(map(distance, last[-3:-1])):
         return "clear"
-    if found and "pick" not in verbs and _goes_away(clause):
+    if found and "pick" not in verbs and (_goes_away(clause) or last[-3:] == ["of", "the", "way"]):
         return "clear"
     for kind in ("place", "clear", "pick"):
         if kind in found:
