@@ -213,6 +213,6 @@ def test_the_top_block_may_be_the_highest_of_all():
 
 def test_what_lies_on_the_table_is_all_that_is_there_unless_one_alone_lies_on_it_directly():
     assert options("take the highest block on the table") == {("top",)}
-    assert options("take the second blue block from the right on the table") == {("c",)}
+    assert options("take all the blue blocks on the table") == {("c", "g", "top")}
     stacked = laid(a=("blue", 0.7, -0.6), b=("blue", 0.7, -0.6, 1), c=("red", 0.5, 0.2))
     assert options("take the blue block on the table", stacked) == {("a",)}
