@@ -47,5 +47,5 @@ def _on_itself(tree: Phrase) -> bool:
 
 def _brought_back(tree: Phrase) -> bool:
     """Whether something is to be picked up back: only what was put down elsewhere goes back."""
-    commands = (phrase for phrase in tree.preorder() if phrase.tag == "VP" and phrase.leaves[0].text in _BRINGING)
+    commands = (p for p in tree.preorder() if p.tag == "VP" and any(word.text in _BRINGING for word in p.words))
     return any(child.tag == "PRT" and child.text == "back" for command in commands for child in command.phrases)

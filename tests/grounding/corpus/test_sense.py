@@ -35,6 +35,7 @@ def test_one_rank_by_distance_is_enough(parser, text):
         "the furthest brick that is the closest to you",
         "there is a block on itself",
         "bring it back",
+        "please bring it back",
     ],
 )
 def test_two_are_one_too_many(parser, text):
