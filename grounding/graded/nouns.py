@@ -172,6 +172,8 @@ class _Reading:
         self.kinds: tuple[str, ...] = ()
         self.heads: list[str] = []
         self.stacked = False
+        self.small = False
+        self.storied = False
         self.away = False
         self.far = False
         self.counts: list[int] = []
@@ -217,6 +219,7 @@ class _Reading:
             return
         if size_order(text):
             self.said["size"] = size_order(text)
+            self.small = text == "small"
             return
         self._take_noun(word, last)
 
@@ -241,6 +244,7 @@ class _Reading:
         kinds = w.containers(text)
         if kinds:
             self.heads.append("container")
+            self.storied |= text in ("story", "stories")
             self.kinds = tuple(k for k in kinds if k in self.kinds) or kinds
             self.said["plural"] = is_plural(word.tag) or text.endswith("s")
             if text in ("pair", "duo", "couple"):
@@ -325,6 +329,8 @@ class _Reading:
         if head == "block" and said.get("universal"):
             said["plural"] = True
         kinds = self.kinds
+        if head == "block" and said.get("size") == -1 and self.small:
+            said["size"], said["lone"] = 0, True  # "the small block", where others are stacked to a tall one
         if head == "block" and (said.get("plural") and self.stacked or (said.get("size") and not self.stacked)):
             head, kinds = "container", ("tower",)
             said["plural"] = False
@@ -341,6 +347,8 @@ class _Reading:
         heads = self.heads
         if not heads:
             return "other"
+        if heads[-1] in ("measure", "block") and self.storied:
+            return "container"  # "a two-story unit"
         if "measure" in heads:
             return "measure"
         if heads[-1] == "block" and "container" in heads[:-1] and len(heads) > 1:

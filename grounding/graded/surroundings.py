@@ -8,6 +8,9 @@ from grounding.graded import scores
 from grounding.graded.scene import Scene
 from grounding.world import Array
 
+UNSTACKED = 0.5
+"""How well what touches others, but stands on the table by itself, is single where others are stacked."""
+
 
 def lone(scene: Scene, base: Array) -> Array:
     """How well every object stands apart: from all, from those of its kind (`base`, shape (n,)), and by itself."""
@@ -20,6 +23,8 @@ def lone(scene: Scene, base: Array) -> Array:
     alone = scores.ranked(base, nearest, 1, 0.4 * scene.edge)
     apart = scores.ranked(base, same, 1, 0.4 * scene.edge)
     single = scores.logistic((nearest / scene.edge - 0.7) / 0.25) * ~scene.stacked
+    if scene.towers:  # "the single block" is one that is not stacked
+        single = np.maximum(single, UNSTACKED * ~scene.stacked)
     return np.asarray(0.2 * alone + 0.15 * apart + 0.65 * single)
 
 

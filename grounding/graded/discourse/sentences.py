@@ -26,10 +26,14 @@ from grounding.graded.discourse.verbs import (
 )
 from grounding.graded.nouns import Noun, read_noun
 from grounding.graded.reader import Reader
-from grounding.language.tree import Phrase
+from grounding.language.tree import Phrase, Word
 
 _BODY = frozenset("hand hands arm arms gripper fingers claw".split())
 _NAMING = frozenset("the that this these those its both".split())
+_HAVING = frozenset("has have contains holds".split())
+_ARRIVING = frozenset("joins touches meets hugs forms creates makes fills completes".split())
+_NOW = frozenset(("now",))
+_MOVING = frozenset(HANDLING["place"])
 _NOT = frozenset(("not", "n't"))
 _LEADING = frozenset("to onto into toward towards over so until up down".split())
 
@@ -87,7 +91,16 @@ def _read(clause: Phrase, reader: Reader, told: Told) -> Sentence:
     subjects = [noun for noun in named if noun.head in ("block", "pronoun", "container") or _is_part(noun)]
     nouns = [one_of(read_noun(phrase), told) for phrase in parts.objects]
     nouns = [noun for noun in nouns if noun.head != "other" or noun.colors or noun.modifiers]
-    return Sentence(parts, verbs, kind_of(verbs, clause), looking, named, subjects, nouns)
+    kind = kind_of(verbs, clause)
+    if kind == "place" and not subjects and not looking and named and _is_corner(named[0]):
+        named[0] = replace(named[0], head="block")
+        subjects = named[:1]
+    return Sentence(parts, verbs, kind, looking, named, subjects, nouns)
+
+
+def _is_corner(noun: Noun) -> bool:
+    """Whether a bare place stands for what lies there: "the bottom right moves up"."""
+    return noun.head == "place" and noun.place is None and bool(noun.directions) and not noun.modifiers
 
 
 def _chosen_from(parts: Parts, reader: Reader, told: Told) -> Parts:
@@ -112,6 +125,16 @@ def _moves_the_hand(sentence: Sentence, reader: Reader, told: Told) -> bool:
     """For example "move your arm": nothing is told of objects."""
     nouns = sentence.nouns
     return bool(nouns) and nouns[0].head in ("other", "place", "agent") and bool(_BODY & set(nouns[0].text.split()))
+
+
+def _tells_result(sentence: Sentence, reader: Reader, told: Told) -> bool:
+    """For example "you will now have a tower of three", after it was said what goes where."""
+    if told.target is None or told.kind != "place" or not (told.destination and sentence.named):
+        return False
+    if _is_same_thing(sentence.named[0]) or (sentence.subjects and sentence.subjects[0].head == "block"
+                                             and not sentence.subjects[0].plural):  # fmt: skip
+        return False
+    return sentence.has(ORDERING) or (sentence.has(_NOW) and not sentence.has(_MOVING))
 
 
 def _gives_or_gets(sentence: Sentence, reader: Reader, told: Told) -> bool:
@@ -168,6 +191,28 @@ def _looks_at_object(sentence: Sentence, reader: Reader, told: Told) -> bool:
     if not (sentence.looking and nouns) or (sentence.kind and not sentence.subjects and len(nouns) > 1):
         return False
     mention(with_further(nouns[0], *parts.before, *parts.rest), reader, told)
+    return True
+
+
+def _lists(sentence: Sentence, reader: Reader, told: Told) -> bool:
+    """For example "the left column has two boxes": they are spoken of, and nothing is told of them yet."""
+    if not (sentence.has(_HAVING) and sentence.named and sentence.nouns) or told.target is not None:
+        return False
+    whole, new = sentence.named[0], sentence.nouns[0]
+    if whole.head not in ("container", "place") or new.head != "block" or not new.plural:
+        return False
+    where = Phrase("PP", (Word("in" if whole.head == "container" else "at", "IN", 0), sentence.parts.named[0]))
+    mention(with_further(new, where), reader, told)
+    return True
+
+
+def _arrives(sentence: Sentence, reader: Reader, told: Told) -> bool:
+    """For example "and joins the tower", of what was said to move."""
+    if told.target is None or told.kind != "place" or not told.destination or sentence.subjects:
+        return False
+    if not sentence.nouns or sentence.nouns[0].head == "pronoun" or not sentence.has(_ARRIVING):
+        return False
+    told.destination += [sentence.parts.said, *sentence.parts.objects, *sentence.parts.rest]
     return True
 
 
@@ -281,6 +326,9 @@ def _only_names(sentence: Sentence, reader: Reader, told: Told) -> None:
     parts = sentence.parts
     for nouns in (sentence.nouns, sentence.subjects):
         if nouns:
+            if told.target is not None and told.destination and nouns[0].head == "container":
+                told.doubt += 1  # "... what used to be a tower"
+                return
             take(with_further(nouns[0], *parts.before, *parts.rest), reader, told)
             return
     for part in parts.rest:
@@ -289,11 +337,14 @@ def _only_names(sentence: Sentence, reader: Reader, told: Told) -> None:
 
 _READINGS: tuple[Callable[[Sentence, Reader, Told], bool], ...] = (
     _moves_the_hand,
+    _tells_result,
     _gives_or_gets,
     _receives,
     _looks_at_subject,
     _looks_for,
     _looks_at_object,
+    _lists,
+    _arrives,
     _says_where_it_goes,
     _orders,
     _denies,
