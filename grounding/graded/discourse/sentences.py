@@ -303,13 +303,20 @@ def _shared_out(noun: Noun, rest: list[Phrase], told: Told) -> tuple[Noun, list[
     if len(rest) > 1 and rest[0].tag == "PP" and noun.head == "block" and not is_informative(noun):
         noun = with_further(noun, rest.pop(0))
     fresh = noun.head != "pronoun"
-    if fresh and len(rest) > 1 and rest[0].tag == "PP" and not _leads(rest[0]) and _results(rest[-1]):
+    resulting = len(rest) > 1 and rest[0].tag == "PP" and not _leads(rest[0]) and _results(rest[-1])
+    if fresh and resulting and not _is_told_apart(noun, rest[0]):
         noun = with_further(noun, rest.pop(0))
     while told.continued and rest and rest[0].tag in ("PP", "SBAR"):
         if is_informative(noun) and _leads(rest[0]):
             break
         noun = with_further(noun, rest.pop(0))
     return noun, rest
+
+
+def _is_told_apart(noun: Noun, phrase: Phrase) -> bool:
+    """Whether a noun says enough for the phrase after it to tell where to: "the block on the left" "above X"."""
+    bare = not any(part.tag == "NP" for part in phrase.preorder())
+    return bool(noun.modifiers) or (bare and bool(noun.directions) and not noun.ordinals)
 
 
 def _goes_on(sentence: Sentence, reader: Reader, told: Told) -> bool:
