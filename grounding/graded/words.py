@@ -56,7 +56,7 @@ _SURROUNDED = frozenset("surrounded surrounding encircled enclosed".split())
 _STRICT = frozenset("directly immediately just right exactly straight due".split())
 _BLOCKS = frozenset(
     "block blocks box boxes cube cubes brick bricks square squares object objects one ones piece pieces item items "
-    "thing things bloc tile tiles die dice box's block's".split()
+    "thing things neighbor neighbors neighbour neighbours bloc tile tiles die dice box's block's".split()
 )
 _CONTAINERS = {
     "row": "row rows line lines horizontal string chain",

@@ -47,8 +47,10 @@ def given(verbs: list[str], parts: Parts, subjects: Sequence[Noun], nouns: Seque
     gains = bool(said & GAINING) and (subject.head in ("block", "container") or subject.place is not None)
     comes = bool(said & COMING) and (subject.head == "pronoun" or not is_informative(subject))
     grown = bool(said & BEING) and subject.head != "pronoun" and bool(TAKING & {word.text for word in _leaves(parts)})
-    if gains and nouns and nouns[0].head == "block" and nouns[0].text.split(" ", 1)[0] in _POINTING:
-        return nouns[0]
+    if gains and nouns and nouns[0].head == "block":
+        first = nouns[0].text.split(" ", 1)[0]
+        if first in _POINTING or (first in _OWN and nouns[0].distance):
+            return replace(nouns[0], conjoined=())
     return _brought(*parts.objects, *parts.rest) if joined or gains or comes or grown else None
 
 

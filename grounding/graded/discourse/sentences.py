@@ -333,8 +333,9 @@ def _only_names(sentence: Sentence, reader: Reader, told: Told) -> None:
     parts = sentence.parts
     for nouns in (sentence.nouns, sentence.subjects):
         if nouns:
-            if told.target is not None and told.destination and nouns[0].head == "container":
-                told.doubt += 1  # "... what used to be a tower"
+            following = told.destination or sentence.has(BEING)
+            if told.target is not None and following and nouns[0].head == "container":
+                told.doubt += 1  # "... what used to be a tower", "... and is now a tower"
                 return
             take(with_further(nouns[0], *parts.before, *parts.rest), reader, told)
             return
