@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from grounding.graded.modifiers.adjoining import counting_off, points_together
 from grounding.graded.modifiers.ranks import by_distance
 from grounding.graded.nouns import Noun, read_noun
 from grounding.graded.relations import distance_to
@@ -34,7 +35,11 @@ def with_modifiers(reader: Reader, noun: Noun, base: Array) -> tuple[Noun, list[
         owner = Value("objects", reader.context)
         effects.append(Rank(-sign * distance_to(reader.scene, owner), None, 0.3 * reader.scene.edge))
         noun = replace(noun, distance=None)
-    for modifier in _separate(noun.modifiers):
+    modifiers = points_together(_separate(noun.modifiers))
+    for place, modifier in enumerate(modifiers):
+        if place + 1 < len(modifiers) and (counted := counting_off(reader, noun, modifier)) is not None:
+            effects += counted
+            continue
         if noun.distance and (reference := _complement(modifier)) is not None:
             away = "from" in modifier.text.split()
             found = by_distance(reader, read_noun(reference), noun.distance, None, away=away)
