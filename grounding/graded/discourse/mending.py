@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from grounding.graded import words as w
-from grounding.graded.discourse.verbs import LOOKING
+from grounding.graded.discourse.verbs import GAINING, LOOKING, LOSING, PARTING
 from grounding.language.tree import Phrase, Word
 
 _PARTICLES = frozenset(("'s",))
@@ -20,6 +20,21 @@ def mended(phrase: Phrase) -> Phrase:
         return Phrase("VP", children)
     unchanged = len(children) == len(phrase.children) and all(a is b for a, b in zip(children, phrase.children, strict=True))
     return phrase if unchanged else Phrase(phrase.tag, children)
+
+
+def as_sentence(phrase: Phrase) -> Phrase:
+    """A noun phrase with what was read as a relation, though its first word is a verb: "(the tower) (claims X)"."""
+    if phrase.tag != "NP" or len(phrase.children) < 2:
+        return phrase
+    last = phrase.children[-1]
+    if not isinstance(last, Phrase) or last.tag != "PP" or not isinstance(last.children[0], Word):
+        return phrase
+    verb = last.children[0].text
+    if not (verb in GAINING or verb in LOSING or verb in PARTING):
+        return phrase
+    before = phrase.children[:-1]
+    subject = before[0] if len(before) == 1 and isinstance(before[0], Phrase) else Phrase("NP", before)
+    return Phrase("S", (subject, Phrase("VP", last.children)))
 
 
 Children = tuple[Phrase | Word, ...]

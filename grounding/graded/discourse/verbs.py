@@ -30,8 +30,8 @@ ORDERING = frozenset("should will must shall would needs ought".split())
 MOVED = frozenset("moved placed put stacked set shifted relocated positioned".split())
 LOSING = frozenset("loses lose lost".split())
 HAVING = frozenset("has have sees".split())
-PARTING = frozenset("takes moves drops puts gives sends moving".split())
-GAINING = frozenset("takes gains gets receives becomes grows adds acquires take gain become made formed sees claims "
+PARTING = frozenset("takes moves drops puts gives sends moving throws".split())
+GAINING = frozenset("takes gains gets receives becomes grows adds acquires take gain become made formed sees grows claims "
                     "claim".split())  # fmt: skip
 TAKING = frozenset("taking using claiming".split())
 JOINED = frozenset("joined conjoined topped filled followed met capped crowned".split())
