@@ -57,7 +57,7 @@ def select(
     said = _sort(scene, noun, base, effects)
     weights = said.weights
     if noun.lone:
-        ranked = bool(said.ranks or noun.ordinals or noun.directions or noun.distance)
+        ranked = noun.unstacked and bool(said.ranks or noun.ordinals or noun.directions or noun.distance)
         weights = weights * scores.softened(single(scene, base) if ranked else lone(scene, base))
     if unspoken is not None:
         weights = weights * unspoken

@@ -46,6 +46,7 @@ _AGENTS = {
 }
 _LONE = frozenset("lone alone single solitary isolated lonely sole solo itself standalone own separate loner loose "
                   "stray unstacked freestanding free-standing".split())  # fmt: skip
+_UNSTACKED = frozenset("single sole solo standalone unstacked freestanding free-standing loose".split())
 _OTHER = frozenset("other another remaining else".split())
 _APART = frozenset("separated apart isolated detached separate away outside".split())
 _TOUCHING = frozenset("touching touches touch adjacent flush against connected contacting attached joined abutting "
@@ -147,6 +148,11 @@ def is_lone(word: str) -> bool:
 def is_apart(words: Iterable[str]) -> bool:
     """Whether one of some words says that things are far from each other: "separated from", "away from"."""
     return not _APART.isdisjoint(words)
+
+
+def is_unstacked(word: str) -> bool:
+    """Whether such a word says so of what is not part of a stack, near others or not."""
+    return word in _UNSTACKED
 
 
 def is_other(word: str) -> bool:
