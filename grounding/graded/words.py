@@ -45,7 +45,7 @@ _AGENTS = {
     "speaker": "me my myself i mine us our",
 }
 _LONE = frozenset("lone alone single solitary isolated lonely sole solo itself standalone own separate loner loose "
-                  "stray unstacked freestanding free-standing".split())  # fmt: skip
+                  "stray unstacked freestanding free-standing unattached nonattached non-attached".split())  # fmt: skip
 _UNSTACKED = frozenset("single sole solo standalone unstacked freestanding free-standing loose".split())
 _OTHER = frozenset("other another remaining else".split())
 _APART = frozenset("separated apart isolated detached separate away outside".split())

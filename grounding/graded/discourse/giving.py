@@ -51,6 +51,9 @@ def given(verbs: list[str], parts: Parts, subjects: Sequence[Noun], nouns: Seque
         first = nouns[0].text.split(" ", 1)[0]
         if first in _POINTING or (first in _OWN and nouns[0].distance):
             return replace(nouns[0], conjoined=())
+        taken = [noun for noun in nouns[1:] if noun.head == "block" and noun.text.split(" ", 1)[0] in _POINTING]
+        if taken and said & TAKING:  # "adds a third, taking the block on the left"
+            return taken[0]
     return _brought(*parts.objects, *parts.rest) if joined or gains or comes or grown else None
 
 

@@ -206,6 +206,17 @@ def _lists(sentence: Sentence, reader: Reader, told: Told) -> bool:
     return True
 
 
+def _touches_with(sentence: Sentence, reader: Reader, told: Told) -> bool:
+    """For example "the red block has its left side touch the tower"."""
+    if not (sentence.has(_HAVING) and sentence.fresh and sentence.nouns) or told.target is not None:
+        return False
+    part = sentence.nouns[0]
+    if part.head != "place" or part.text.split(" ", 1)[0] != "its":
+        return False
+    _move_subject(sentence, reader, told)
+    return True
+
+
 def _arrives(sentence: Sentence, reader: Reader, told: Told) -> bool:
     """For example "and joins the tower", of what was said to move."""
     if told.target is None or told.kind != "place" or not told.destination or sentence.subjects:
@@ -303,6 +314,10 @@ def _shared_out(noun: Noun, rest: list[Phrase], told: Told) -> tuple[Noun, list[
     if len(rest) > 1 and rest[0].tag == "PP" and noun.head == "block" and not is_informative(noun):
         noun = with_further(noun, rest.pop(0))
     fresh = noun.head != "pronoun"
+    if len(rest) == 1 and rest[0].tag == "PP" and _is_bare(noun) and told.mentioned is None:
+        parted = _parted(rest[0])
+        if parted is not None:
+            noun, rest = with_further(noun, parted[0]), [parted[1]]
     resulting = len(rest) > 1 and rest[0].tag == "PP" and not _leads(rest[0]) and _results(rest[-1])
     if fresh and resulting and not _is_told_apart(noun, rest[0]):
         noun = with_further(noun, rest.pop(0))
@@ -311,6 +326,27 @@ def _shared_out(noun: Noun, rest: list[Phrase], told: Told) -> tuple[Noun, list[
             break
         noun = with_further(noun, rest.pop(0))
     return noun, rest
+
+
+def _is_bare(noun: Noun) -> bool:
+    """Whether a noun only says "the block"."""
+    return noun.head == "block" and noun.definite and not noun.plural and not is_informative(noun)
+
+
+def _parted(phrase: Phrase) -> tuple[Phrase, Phrase] | None:
+    """A phrase without what it took in at its end that tells where to: "below the pair" "on top of X"; None for others."""
+    last = phrase.children[-1]
+    if not isinstance(last, Phrase):
+        return None
+    deeper = _parted(last)
+    if deeper is not None:
+        return Phrase(phrase.tag, (*phrase.children[:-1], deeper[0])), deeper[1]
+    texts = [leaf.text for leaf in last.leaves[:3]]
+    onto = last.tag == "PP" and (texts[0] in ("onto", "atop") or texts[:2] == ["on", "top"])
+    if phrase.tag == "NP" and len(phrase.children) > 1 and (onto or _results(last)):
+        kept = phrase.children[:-1]
+        return (kept[0] if len(kept) == 1 and isinstance(kept[0], Phrase) else Phrase(phrase.tag, kept)), last
+    return None
 
 
 def _is_told_apart(noun: Noun, phrase: Phrase) -> bool:
@@ -352,6 +388,7 @@ _READINGS: tuple[Callable[[Sentence, Reader, Told], bool], ...] = (
     _looks_for,
     _looks_at_object,
     _lists,
+    _touches_with,
     _arrives,
     _says_where_it_goes,
     _orders,
