@@ -13,7 +13,7 @@ _HANDLED = frozenset("moved placed put set stacked picked touched handled taken 
                      "used moving positioned".split())  # fmt: skip
 _RECENT = frozenset("just you last before earlier previously recently already".split())
 _PAST = _RECENT - {"you"}
-_SAME = frozenset("same previous previously".split())
+_SAME = frozenset("same previous previously continues".split())
 _POINTING = frozenset("that this those these said".split())
 _THINGS = ("block", "container", "place", "table")
 _CLAUSES = ("SBAR", "S", "VP", "PP", "ADJP")

@@ -35,6 +35,7 @@ class Noun:
         directions: that words before the head name.
         middle: whether the middle is asked for.
         lone: whether it stands apart.
+        unstacked: whether that means only that it is not part of a stack: "the single block".
         other: whether what was spoken of is excluded.
         only: whether it is the only one.
         size: 1 for the largest arrangement, -1 for the smallest.
@@ -61,6 +62,7 @@ class Noun:
     directions: tuple[str, ...] = ()
     middle: bool = False
     lone: bool = False
+    unstacked: bool = False
     other: bool = False
     only: bool = False
     size: int = 0
@@ -151,6 +153,7 @@ def _merged(head: Noun, own: Noun) -> Noun:
         directions=(*own.directions, *head.directions),
         middle=head.middle or own.middle,
         lone=head.lone or own.lone,
+        unstacked=head.unstacked or own.unstacked,
         other=head.other or own.other,
         unknown=(*own.unknown, *head.unknown),
         universal=head.universal or own.universal,
@@ -172,6 +175,8 @@ class _Reading:
         self.kinds: tuple[str, ...] = ()
         self.heads: list[str] = []
         self.stacked = False
+        self.small = False
+        self.storied = False
         self.away = False
         self.far = False
         self.counts: list[int] = []
@@ -217,6 +222,7 @@ class _Reading:
             return
         if size_order(text):
             self.said["size"] = size_order(text)
+            self.small = text == "small"
             return
         self._take_noun(word, last)
 
@@ -228,6 +234,7 @@ class _Reading:
         text = word.text
         if w.is_lone(text):
             self.said["lone"] = True
+            self.said["unstacked"] = w.is_unstacked(text)
             return
         if w.is_other(text):
             self.said["other"] = True
@@ -241,6 +248,7 @@ class _Reading:
         kinds = w.containers(text)
         if kinds:
             self.heads.append("container")
+            self.storied |= text in ("story", "stories")
             self.kinds = tuple(k for k in kinds if k in self.kinds) or kinds
             self.said["plural"] = is_plural(word.tag) or text.endswith("s")
             if text in ("pair", "duo", "couple"):
@@ -325,6 +333,8 @@ class _Reading:
         if head == "block" and said.get("universal"):
             said["plural"] = True
         kinds = self.kinds
+        if head == "block" and said.get("size") == -1 and self.small:
+            said["size"], said["lone"], said["unstacked"] = 0, True, True  # "the small block", where others are stacked to a tall one
         if head == "block" and (said.get("plural") and self.stacked or (said.get("size") and not self.stacked)):
             head, kinds = "container", ("tower",)
             said["plural"] = False
@@ -341,6 +351,8 @@ class _Reading:
         heads = self.heads
         if not heads:
             return "other"
+        if heads[-1] in ("measure", "block") and self.storied:
+            return "container"  # "a two-story unit"
         if "measure" in heads:
             return "measure"
         if heads[-1] == "block" and "container" in heads[:-1] and len(heads) > 1:

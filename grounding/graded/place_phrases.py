@@ -29,7 +29,8 @@ def read_place(reader: Reader, noun: Noun) -> Value:
         return whole
     if whole is not None and whole.place is not None and whole.kind == "place":  # "the middle of the left edge"
         names += [name for name in whole.place.names if name not in names]
-    place = make_place(scene, names, noun.agent or reader.view, middle=noun.middle, corner=noun.place == "corner",
+    middle = noun.middle or bool(whole is not None and whole.kind == "place" and whole.place and whole.place.middle)
+    place = make_place(scene, names, noun.agent or reader.view, middle=middle, corner=noun.place == "corner",
                        bare=noun.place is None, rim=not _RIMS.isdisjoint(noun.text.split()))  # fmt: skip
     if whole is not None and whole.kind in ("sets", "objects") and whole.weights.any():
         return part_of(scene, place, whole)

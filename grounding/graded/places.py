@@ -100,7 +100,7 @@ def part_of(scene: Scene, place: Place, whole: Value) -> Value:
             total += chance * middle_one(scene, pool, chosen=True)
         else:
             total += chance * scores.ranked(pool, closeness(scene, place), 1, 0.3 * scene.edge)
-    return Value("objects", total, place=place)
+    return Value("objects", total / max(1.0, float(total.max(initial=0.0))), place=place)
 
 
 def _along(scene: Scene, pool: Array) -> Array:

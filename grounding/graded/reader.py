@@ -109,7 +109,8 @@ class Reader:
         if self.several and self.context is not None and _points_back(noun):
             inside = self.context > 0.3 * scores.peak(self.context)
             return Value("sets", self.context, ((inside, 1.0),), number=noun.number)
-        return self.chosen(noun, colored(self.scene, noun.colors) * (STRANGE if noun.strange else 1.0))
+        value = self.chosen(noun, colored(self.scene, noun.colors))
+        return replace(value, weights=STRANGE * value.weights) if noun.strange else value
 
     def _unspoken(self, noun: Noun) -> Array | None:
         """How well every object is "another one" than was spoken of; None where none is asked for."""

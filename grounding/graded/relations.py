@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -90,6 +91,28 @@ def measured(
         if share:
             counted = counted + chance * (1 - counted) * _counted_off(scene, start, vector, int(steps))
     return np.asarray((1 - share) * total + share * counted)
+
+
+def stepped(scene: Scene, value: Value, steps: Sequence[tuple[tuple[str, ...], float]], owner: str) -> Array:
+    """So many blocks away along every one of several directions, by their lengths, shape (n,).
+
+    Args:
+        scene: the world.
+        value: from which is measured.
+        steps: names of directions, and how many blocks in them.
+        owner: whose directions are meant.
+    """
+    total = np.zeros(scene.n)
+    for start, chance in _starts(scene, value):
+        for further, likely in ((0, 0.8), (1, 1.0)):  # counted to its middle, or what lies in between
+            target = start + _PITCH * scene.edge * np.sum(
+                [(count + further) * scene.direction(name, owner) for names, count in steps for name in w.flat(names)],
+                axis=0,
+            )
+            away = np.linalg.norm(scene.xy - target, axis=1) / scene.edge
+            spread = 0.6 + 0.2 * max(count for _, count in steps)
+            total = np.maximum(total, chance * likely * np.exp(-0.5 * (away / spread) ** 2))
+    return total
 
 
 def _counted_off(scene: Scene, start: Array, vector: Array, index: int) -> Array:

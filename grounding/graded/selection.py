@@ -10,7 +10,7 @@ from grounding.graded import scores, sets
 from grounding.graded.nouns import Noun
 from grounding.graded.scene import Scene
 from grounding.graded.selectors import adjectives, choose
-from grounding.graded.surroundings import lone
+from grounding.graded.surroundings import lone, single
 from grounding.graded.values import SETS, Effect, Membership, Rank, Restriction, Value
 from grounding.world import Array
 
@@ -57,7 +57,8 @@ def select(
     said = _sort(scene, noun, base, effects)
     weights = said.weights
     if noun.lone:
-        weights = weights * scores.softened(lone(scene, base))
+        ranked = noun.unstacked and bool(said.ranks or noun.ordinals or noun.directions or noun.distance)
+        weights = weights * scores.softened(single(scene, base) if ranked else lone(scene, base))
     if unspoken is not None:
         weights = weights * unspoken
     plain = not said.in_stack and not noun.plural and "up" not in noun.directions and "down" not in noun.directions

@@ -8,6 +8,12 @@ from grounding.graded import scores
 from grounding.graded.scene import Scene
 from grounding.world import Array
 
+UNSTACKED = 0.5
+"""How well what touches others, but stands on the table by itself, is single where others are stacked."""
+
+COUNTED = 0.9
+"""The same where it is counted or ranked among the others that are single."""
+
 
 def lone(scene: Scene, base: Array) -> Array:
     """How well every object stands apart: from all, from those of its kind (`base`, shape (n,)), and by itself."""
@@ -20,7 +26,15 @@ def lone(scene: Scene, base: Array) -> Array:
     alone = scores.ranked(base, nearest, 1, 0.4 * scene.edge)
     apart = scores.ranked(base, same, 1, 0.4 * scene.edge)
     single = scores.logistic((nearest / scene.edge - 0.7) / 0.25) * ~scene.stacked
+    if scene.towers:  # "the single block" is one that is not stacked
+        single = np.maximum(single, UNSTACKED * ~scene.stacked)
     return np.asarray(0.2 * alone + 0.15 * apart + 0.65 * single)
+
+
+def single(scene: Scene, base: Array) -> Array:
+    """The same where words tell further which one is meant: all that is not stacked, where others are."""
+    apart = lone(scene, base)
+    return np.maximum(apart, COUNTED * ~scene.stacked) if scene.towers else apart
 
 
 def gaps_to_others(scene: Scene, others: np.ndarray) -> Array:

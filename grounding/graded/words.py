@@ -45,7 +45,8 @@ _AGENTS = {
     "speaker": "me my myself i mine us our",
 }
 _LONE = frozenset("lone alone single solitary isolated lonely sole solo itself standalone own separate loner loose "
-                  "stray unstacked freestanding free-standing".split())  # fmt: skip
+                  "stray unstacked freestanding free-standing unattached nonattached non-attached".split())  # fmt: skip
+_UNSTACKED = frozenset("single sole solo standalone unstacked freestanding free-standing loose".split())
 _OTHER = frozenset("other another remaining else".split())
 _APART = frozenset("separated apart isolated detached separate away outside".split())
 _TOUCHING = frozenset("touching touches touch adjacent flush against connected contacting attached joined abutting "
@@ -56,7 +57,7 @@ _SURROUNDED = frozenset("surrounded surrounding encircled enclosed".split())
 _STRICT = frozenset("directly immediately just right exactly straight due".split())
 _BLOCKS = frozenset(
     "block blocks box boxes cube cubes brick bricks square squares object objects one ones piece pieces item items "
-    "thing things bloc tile tiles die dice box's block's".split()
+    "thing things neighbor neighbors neighbour neighbours bloc tile tiles die dice box's block's".split()
 )
 _CONTAINERS = {
     "row": "row rows line lines horizontal string chain",
@@ -147,6 +148,11 @@ def is_lone(word: str) -> bool:
 def is_apart(words: Iterable[str]) -> bool:
     """Whether one of some words says that things are far from each other: "separated from", "away from"."""
     return not _APART.isdisjoint(words)
+
+
+def is_unstacked(word: str) -> bool:
+    """Whether such a word says so of what is not part of a stack, near others or not."""
+    return word in _UNSTACKED
 
 
 def is_other(word: str) -> bool:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from grounding.graded.discourse.mending import as_sentence, mended
 from grounding.graded.discourse.parts import is_existential
 from grounding.graded.discourse.verbs import BEING, HANDLING, is_verbal
 from grounding.language.tree import Phrase, Word
@@ -9,7 +10,7 @@ from grounding.language.tree import Phrase, Word
 
 def clauses_of(tree: Phrase) -> list[Phrase]:
     """The clauses of a text, in order."""
-    return [_possessed(clause) for clause in _clauses(tree)]
+    return [_possessed(as_sentence(clause)) for clause in _clauses(mended(tree))]
 
 
 def _possessed(clause: Phrase) -> Phrase:

@@ -41,6 +41,8 @@ def _follow(clause: Phrase, reader: Reader, told: Told) -> None:
 def _resumes(clause: Phrase) -> bool:
     """Whether a clause says what shall be done with "it"."""
     words = [leaf.text for leaf in clause.leaves]
+    if "then" in words[:3]:
+        return False  # "and then slide it ...": it has been put somewhere before
     if clause.tag == "VP" and words[0] in HANDLING["place"] and not any(p.tag == "NP" for p in clause.phrases):
         return True  # "and place on top of X"
     verb = any(text in HANDLING["place"] for text in words)

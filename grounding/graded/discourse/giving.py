@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from grounding.graded.discourse.parts import Parts
 from grounding.graded.discourse.told import is_informative
-from grounding.graded.discourse.verbs import BEING, COMING, GAINING, JOINED, LOSING, MAKING, PARTING, TAKING
+from grounding.graded.discourse.verbs import BEING, COMING, GAINING, HAVING, JOINED, LOSING, MAKING, PARTING, TAKING
 from grounding.graded.nouns import Noun, read_noun
 from grounding.graded.words import directions
 from grounding.language.tree import Phrase, Word
@@ -37,15 +37,23 @@ def given(verbs: list[str], parts: Parts, subjects: Sequence[Noun], nouns: Seque
     if not subjects:
         return None
     subject = subjects[0]
-    if said & LOSING or ("tower" in subject.kinds and said & PARTING and _speaks_of_parts(parts)):
-        return _part_of(subject, parts, nouns)
+    parted = bool(_WHOLES & set(subject.kinds)) and bool(said & PARTING) and _speaks_of_parts(parts)
+    if said & LOSING or parted:
+        return _part_of(subject, parts, nouns or _owned(parts))
+    if said & HAVING and len(subjects) > 1 and subjects[1].text.split(" ", 1)[0] in _OWN:
+        return _part_of(subject, parts, subjects[1:])  # "the tower has its top move"
     following = {word.text for phrase in parts.rest[:1] for word in phrase.words}
     joined = bool(said & BEING) and bool(JOINED & (said | following))
     gains = bool(said & GAINING) and (subject.head in ("block", "container") or subject.place is not None)
     comes = bool(said & COMING) and (subject.head == "pronoun" or not is_informative(subject))
     grown = bool(said & BEING) and subject.head != "pronoun" and bool(TAKING & {word.text for word in _leaves(parts)})
-    if gains and nouns and nouns[0].head == "block" and nouns[0].text.split(" ", 1)[0] in _POINTING:
-        return nouns[0]
+    if gains and nouns and nouns[0].head == "block":
+        first = nouns[0].text.split(" ", 1)[0]
+        if first in _POINTING or (first in _OWN and nouns[0].distance):
+            return replace(nouns[0], conjoined=())
+        taken = [noun for noun in nouns[1:] if noun.head == "block" and noun.text.split(" ", 1)[0] in _POINTING]
+        if taken and said & TAKING:  # "adds a third, taking the block on the left"
+            return taken[0]
     return _brought(*parts.objects, *parts.rest) if joined or gains or comes or grown else None
 
 
@@ -87,6 +95,12 @@ def _speaks_of_parts(parts: Parts) -> bool:
     """Whether a clause speaks of a part of its subject: "one of its boxes", "one piece"."""
     named = any(leaf.text in _OWN for phrase in parts.objects for leaf in phrase.leaves[:3])
     return named or any(phrase.leaves[0].text in _OWN for phrase in parts.rest[:1])
+
+
+def _owned(parts: Parts) -> list[Noun]:
+    """What is named as a part of the subject within the first adjunct: "its second box" "down a space"."""
+    phrases = (p for phrase in parts.rest[:1] for p in phrase.preorder() if p.tag == "NP" and p.leaves[0].text in _OWN)
+    return [read_noun(phrase) for phrase in phrases][:1]
 
 
 def _part_of(subject: Noun, parts: Parts, nouns: Sequence[Noun]) -> Noun:

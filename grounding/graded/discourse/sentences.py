@@ -26,10 +26,14 @@ from grounding.graded.discourse.verbs import (
 )
 from grounding.graded.nouns import Noun, read_noun
 from grounding.graded.reader import Reader
-from grounding.language.tree import Phrase
+from grounding.language.tree import Phrase, Word
 
 _BODY = frozenset("hand hands arm arms gripper fingers claw".split())
 _NAMING = frozenset("the that this these those its both".split())
+_HAVING = frozenset("has have contains holds".split())
+_ARRIVING = frozenset("joins touches meets hugs forms creates makes fills completes".split())
+_NOW = frozenset(("now",))
+_MOVING = frozenset(HANDLING["place"])
 _NOT = frozenset(("not", "n't"))
 _LEADING = frozenset("to onto into toward towards over so until up down".split())
 
@@ -87,7 +91,16 @@ def _read(clause: Phrase, reader: Reader, told: Told) -> Sentence:
     subjects = [noun for noun in named if noun.head in ("block", "pronoun", "container") or _is_part(noun)]
     nouns = [one_of(read_noun(phrase), told) for phrase in parts.objects]
     nouns = [noun for noun in nouns if noun.head != "other" or noun.colors or noun.modifiers]
-    return Sentence(parts, verbs, kind_of(verbs, clause), looking, named, subjects, nouns)
+    kind = kind_of(verbs, clause)
+    if kind == "place" and not subjects and not looking and named and _is_corner(named[0]):
+        named[0] = replace(named[0], head="block")
+        subjects = named[:1]
+    return Sentence(parts, verbs, kind, looking, named, subjects, nouns)
+
+
+def _is_corner(noun: Noun) -> bool:
+    """Whether a bare place stands for what lies there: "the bottom right moves up"."""
+    return noun.head == "place" and noun.place is None and bool(noun.directions) and not noun.modifiers
 
 
 def _chosen_from(parts: Parts, reader: Reader, told: Told) -> Parts:
@@ -112,6 +125,16 @@ def _moves_the_hand(sentence: Sentence, reader: Reader, told: Told) -> bool:
     """For example "move your arm": nothing is told of objects."""
     nouns = sentence.nouns
     return bool(nouns) and nouns[0].head in ("other", "place", "agent") and bool(_BODY & set(nouns[0].text.split()))
+
+
+def _tells_result(sentence: Sentence, reader: Reader, told: Told) -> bool:
+    """For example "you will now have a tower of three", after it was said what goes where."""
+    if told.target is None or told.kind != "place" or not (told.destination and sentence.named):
+        return False
+    if _is_same_thing(sentence.named[0]) or (sentence.subjects and sentence.subjects[0].head == "block"
+                                             and not sentence.subjects[0].plural):  # fmt: skip
+        return False
+    return sentence.has(ORDERING) or (sentence.has(_NOW) and not sentence.has(_MOVING))
 
 
 def _gives_or_gets(sentence: Sentence, reader: Reader, told: Told) -> bool:
@@ -168,6 +191,39 @@ def _looks_at_object(sentence: Sentence, reader: Reader, told: Told) -> bool:
     if not (sentence.looking and nouns) or (sentence.kind and not sentence.subjects and len(nouns) > 1):
         return False
     mention(with_further(nouns[0], *parts.before, *parts.rest), reader, told)
+    return True
+
+
+def _lists(sentence: Sentence, reader: Reader, told: Told) -> bool:
+    """For example "the left column has two boxes": they are spoken of, and nothing is told of them yet."""
+    if not (sentence.has(_HAVING) and sentence.named and sentence.nouns) or told.target is not None:
+        return False
+    whole, new = sentence.named[0], sentence.nouns[0]
+    if whole.head not in ("container", "place") or new.head != "block" or not new.plural:
+        return False
+    where = Phrase("PP", (Word("in" if whole.head == "container" else "at", "IN", 0), sentence.parts.named[0]))
+    mention(with_further(new, where), reader, told)
+    return True
+
+
+def _touches_with(sentence: Sentence, reader: Reader, told: Told) -> bool:
+    """For example "the red block has its left side touch the tower"."""
+    if not (sentence.has(_HAVING) and sentence.fresh and sentence.nouns) or told.target is not None:
+        return False
+    part = sentence.nouns[0]
+    if part.head != "place" or part.text.split(" ", 1)[0] != "its":
+        return False
+    _move_subject(sentence, reader, told)
+    return True
+
+
+def _arrives(sentence: Sentence, reader: Reader, told: Told) -> bool:
+    """For example "and joins the tower", of what was said to move."""
+    if told.target is None or told.kind != "place" or not told.destination or sentence.subjects:
+        return False
+    if not sentence.nouns or sentence.nouns[0].head == "pronoun" or not sentence.has(_ARRIVING):
+        return False
+    told.destination += [sentence.parts.said, *sentence.parts.objects, *sentence.parts.rest]
     return True
 
 
@@ -258,13 +314,45 @@ def _shared_out(noun: Noun, rest: list[Phrase], told: Told) -> tuple[Noun, list[
     if len(rest) > 1 and rest[0].tag == "PP" and noun.head == "block" and not is_informative(noun):
         noun = with_further(noun, rest.pop(0))
     fresh = noun.head != "pronoun"
-    if fresh and len(rest) > 1 and rest[0].tag == "PP" and not _leads(rest[0]) and _results(rest[-1]):
+    if len(rest) == 1 and rest[0].tag == "PP" and _is_bare(noun) and told.mentioned is None:
+        parted = _parted(rest[0])
+        if parted is not None:
+            noun, rest = with_further(noun, parted[0]), [parted[1]]
+    resulting = len(rest) > 1 and rest[0].tag == "PP" and not _leads(rest[0]) and _results(rest[-1])
+    if fresh and resulting and not _is_told_apart(noun, rest[0]):
         noun = with_further(noun, rest.pop(0))
     while told.continued and rest and rest[0].tag in ("PP", "SBAR"):
         if is_informative(noun) and _leads(rest[0]):
             break
         noun = with_further(noun, rest.pop(0))
     return noun, rest
+
+
+def _is_bare(noun: Noun) -> bool:
+    """Whether a noun only says "the block"."""
+    return noun.head == "block" and noun.definite and not noun.plural and not is_informative(noun)
+
+
+def _parted(phrase: Phrase) -> tuple[Phrase, Phrase] | None:
+    """A phrase without what it took in at its end that tells where to: "below the pair" "on top of X"; None for others."""
+    last = phrase.children[-1]
+    if not isinstance(last, Phrase):
+        return None
+    deeper = _parted(last)
+    if deeper is not None:
+        return Phrase(phrase.tag, (*phrase.children[:-1], deeper[0])), deeper[1]
+    texts = [leaf.text for leaf in last.leaves[:3]]
+    onto = last.tag == "PP" and (texts[0] in ("onto", "atop") or texts[:2] == ["on", "top"])
+    if phrase.tag == "NP" and len(phrase.children) > 1 and (onto or _results(last)):
+        kept = phrase.children[:-1]
+        return (kept[0] if len(kept) == 1 and isinstance(kept[0], Phrase) else Phrase(phrase.tag, kept)), last
+    return None
+
+
+def _is_told_apart(noun: Noun, phrase: Phrase) -> bool:
+    """Whether a noun says enough for the phrase after it to tell where to: "the block on the left" "above X"."""
+    bare = not any(part.tag == "NP" for part in phrase.preorder())
+    return bool(noun.modifiers) or (bare and bool(noun.directions) and not noun.ordinals)
 
 
 def _goes_on(sentence: Sentence, reader: Reader, told: Told) -> bool:
@@ -281,6 +369,10 @@ def _only_names(sentence: Sentence, reader: Reader, told: Told) -> None:
     parts = sentence.parts
     for nouns in (sentence.nouns, sentence.subjects):
         if nouns:
+            following = told.destination or sentence.has(BEING)
+            if told.target is not None and following and nouns[0].head == "container":
+                told.doubt += 1  # "... what used to be a tower", "... and is now a tower"
+                return
             take(with_further(nouns[0], *parts.before, *parts.rest), reader, told)
             return
     for part in parts.rest:
@@ -289,11 +381,15 @@ def _only_names(sentence: Sentence, reader: Reader, told: Told) -> None:
 
 _READINGS: tuple[Callable[[Sentence, Reader, Told], bool], ...] = (
     _moves_the_hand,
+    _tells_result,
     _gives_or_gets,
     _receives,
     _looks_at_subject,
     _looks_for,
     _looks_at_object,
+    _lists,
+    _touches_with,
+    _arrives,
     _says_where_it_goes,
     _orders,
     _denies,

@@ -29,8 +29,9 @@ BEING = frozenset("is are 's was were be being re".split())
 ORDERING = frozenset("should will must shall would needs ought".split())
 MOVED = frozenset("moved placed put stacked set shifted relocated positioned".split())
 LOSING = frozenset("loses lose lost".split())
-PARTING = frozenset("takes moves drops puts gives sends moving".split())
-GAINING = frozenset("takes gains gets receives becomes grows adds acquires take gain become made formed sees claims "
+HAVING = frozenset("has have sees".split())
+PARTING = frozenset("takes moves drops puts gives sends moving throws".split())
+GAINING = frozenset("takes gains gets receives becomes grows adds acquires take gain become made formed sees grows claims "
                     "claim".split())  # fmt: skip
 TAKING = frozenset("taking using claiming".split())
 JOINED = frozenset("joined conjoined topped filled followed met capped crowned".split())

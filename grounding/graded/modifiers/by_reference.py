@@ -28,6 +28,7 @@ if TYPE_CHECKING:
     ReferenceReading = Callable[[Reader, Heard, Noun, Value], list[Effect] | None]
 
 _THINGS = ("objects", "sets")
+_NEARLY = frozenset("nearly almost about".split())
 _RAISED = 0.3  # who says "on the table" may mean all that is there
 
 
@@ -78,7 +79,8 @@ def _touching(reader: Reader, heard: Heard, noun: Noun, value: Value) -> list[Ef
     """For example "touching the tower"."""
     if value.kind not in _THINGS or not any(w.is_touching(text) for text in heard.texts):
         return None
-    return [Restriction(near(reader.scene, value, 0.22))]
+    nearly = not _NEARLY.isdisjoint(heard.texts)
+    return [Restriction(near(reader.scene, value, 0.8 if nearly else 0.22))]
 
 
 def _beside(reader: Reader, heard: Heard, noun: Noun, value: Value) -> list[Effect] | None:

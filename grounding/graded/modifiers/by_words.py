@@ -92,9 +92,9 @@ def _far_from(reader: Reader, heard: Heard, noun: Noun) -> list[Effect] | None:
 
 
 def _all_the_way(reader: Reader, heard: Heard, noun: Noun) -> list[Effect] | None:
-    """For example "all the way to the left", "far on the right"."""
+    """For example "all the way to the left", "far on the right", "most to the left"."""
     far = "far" in (heard.said.distance, noun.distance) and noun.head == "place"
-    if "way" not in heard.texts and not far:
+    if not {"way", "most"} & set(heard.texts) and not far:
         return None
     value = reader.noun(noun)
     if value.place is None or value.kind != "place":

@@ -10,6 +10,7 @@ import numpy as np
 from grounding.graded import scores
 from grounding.graded import words as w
 from grounding.graded.colors import colored
+from grounding.graded.modifiers.adjoining import steps_from
 from grounding.graded.modifiers.having import having, possessions
 from grounding.graded.modifiers.nouns import with_modifiers
 from grounding.graded.modifiers.relating import relate
@@ -104,6 +105,9 @@ def _negated(reader: Reader, phrase: Phrase, base: Array) -> list[Effect]:
 
 def _joined(reader: Reader, parts: tuple[Phrase, ...], base: Array) -> list[Effect]:
     """Directions that share a reference: "above and to the left of X"."""
+    stepped = steps_from(reader, parts, base)
+    if stepped is not None:
+        return stepped
     bare = [part for part in parts if not any(p.tag == "NP" for p in part.preorder())]
     names = tuple(name for part in bare for leaf in part.leaves for name in w.directions(leaf.text))
     referring = [part for part in parts if part not in bare]

@@ -6,9 +6,11 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from grounding.graded.modifiers.adjoining import counting_off, points_together
 from grounding.graded.modifiers.ranks import by_distance
 from grounding.graded.nouns import Noun, read_noun
-from grounding.graded.values import Effect
+from grounding.graded.relations import distance_to
+from grounding.graded.values import Effect, Rank, Value
 from grounding.language.tree import Phrase
 from grounding.world import Array
 
@@ -28,7 +30,16 @@ def with_modifiers(reader: Reader, noun: Noun, base: Array) -> tuple[Noun, list[
         The noun without what was taken together with a modifier, and the effects.
     """
     effects: list[Effect] = []
-    for modifier in _separate(noun.modifiers):
+    if noun.distance and reader.context is not None and noun.text.split(" ", 1)[0] == "its":  # "its nearest neighbour"
+        sign = 1.0 if noun.distance == "near" else -1.0
+        owner = Value("objects", reader.context)
+        effects.append(Rank(-sign * distance_to(reader.scene, owner), None, 0.3 * reader.scene.edge))
+        noun = replace(noun, distance=None)
+    modifiers = points_together(_separate(noun.modifiers))
+    for place, modifier in enumerate(modifiers):
+        if place + 1 < len(modifiers) and (counted := counting_off(reader, noun, modifier)) is not None:
+            effects += counted
+            continue
         if noun.distance and (reference := _complement(modifier)) is not None:
             away = "from" in modifier.text.split()
             found = by_distance(reader, read_noun(reference), noun.distance, None, away=away)

@@ -37,6 +37,8 @@ def relate(reader: Reader, phrase: Phrase, base: Array, further: tuple[str, ...]
         return [Restriction(lone(reader.scene, base))]
     if noun is None or (noun.head == "table" and (heard.said.directions or heard.said.distance)):
         return by_itself(reader, heard)
+    if _is_middle_line(heard, noun):
+        noun = replace(noun, head="place")
     for by_words in BY_WORDS:
         if (found := by_words(reader, heard, noun)) is not None:
             return found
@@ -59,6 +61,13 @@ def _is_elliptic(heard: Heard) -> bool:
 def _among_the_same(reader: Reader, heard: Heard, noun: Noun) -> Value:
     """What several mean that are of the kind of what is modified: "the red block ... of the three" red blocks."""
     return reader.chosen(noun, colored(reader.scene, noun.colors) * heard.base)
+
+
+def _is_middle_line(heard: Heard, noun: Noun) -> bool:
+    """Whether something is measured from a line that nothing lies along: "right of the center line"."""
+    told = noun.number or noun.directions or noun.ordinals or noun.colors or noun.modifiers
+    measured = heard.said.directions or any(w.is_ranking(text) for text in heard.texts)
+    return noun.head == "container" and noun.middle and bool(measured) and not told and noun.text.endswith(" line")
 
 
 def _directed(heard: Heard, noun: Noun) -> Noun:
