@@ -62,7 +62,9 @@ def mean_arrangement(reader: LiteralReader, noun: Noun) -> Meant:
     if not found:
         of = f" of {spelled(number)} blocks" if number else ""
         seen_loosely = {"group", "diagonal", "tower"} & set(noun.kinds[:1])
-        raise Missing(f"there is no {' '.join((*colors[:1], noun.kinds[0]))}{of} here", FAINT if seen_loosely else FIRM)
+        text = f"there is no {' '.join((*colors[:1], noun.kinds[0]))}{of} here"
+        bare = Noun(head="container", kinds=noun.kinds, colors=colors[:1], number=number, text=noun.text)
+        raise Missing(text, FAINT if seen_loosely else FIRM, bare, shape=True)
     return _chosen(reader, noun, found, rest, number)
 
 

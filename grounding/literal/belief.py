@@ -6,9 +6,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from grounding.graded.belief import GradedBelief
-from grounding.graded.scene import SPEAKER, Scene
+from grounding.graded.scene import ROBOT, SPEAKER, Scene
 from grounding.language.parser import Parse
 from grounding.literal.texts import Literal, Rival, read_literally
+from grounding.literal.wider import is_missing
 
 LIKELY = 0.1  # parses with a smaller share of the graded belief say nothing literally
 
@@ -29,7 +30,6 @@ class LiteralBelief:
     Attributes:
         options: (action, ids) that it leaves, with equal shares; none where it is silent or something is missing.
         missing: what is not there, as a sentence for people; "" where all is, or where that is not known.
-        limit: that is believed where the graded reading agrees less with the world than this.
         rival: what the words for where to leave open, as far as they were read.
         vague: whether relations were read on which eyes differ.
         alike: whether places are all that tells the things of the world apart.
@@ -37,7 +37,6 @@ class LiteralBelief:
 
     options: tuple[tuple[Option, float], ...] = ()
     missing: str = ""
-    limit: float = 0.0
     rival: Rival | None = None
     vague: bool = False
     alike: bool = False
@@ -85,16 +84,13 @@ def believe_literally(
     best = min(found, key=lambda literal: len(literal.options) or len(parses) + scene.n, default=None)
     if best is None:
         return SILENT
-    if not best.options and _seen_otherwise(graded, best.limit):
-        return SILENT
-    if not best.options:
-        return LiteralBelief(missing=best.missing, limit=best.limit)
+    if best.missing is not None:
+        views = {reading.reader.view: None for reading in graded.readings} or {ROBOT: None}
+        spoken = [reading.truth for reading in graded.readings if reading.reader.view == SPEAKER]
+        agreement = max(graded.truth, *spoken) if spoken else graded.truth
+        gone = is_missing(best.missing, agreement, scene, views, handled)
+        return LiteralBelief(missing=str(best.missing)) if gone else SILENT
     share = 1.0 / len(best.options)
     options = tuple(((best.kind, names), share) for names in best.options)
     alike = len(scene.layout.colors) < 2
     return LiteralBelief(options, rival=best.rival, vague=best.vague, alike=alike)
-
-
-def _seen_otherwise(graded: GradedBelief, limit: float) -> bool:
-    """Whether what is missing as the robot sees it is there as the speaker does, whose view is not read literally."""
-    return any(reading.reader.view == SPEAKER and reading.truth >= limit for reading in graded.readings)

@@ -9,11 +9,11 @@ import numpy as np
 
 from grounding.graded.discourse import read_text
 from grounding.graded.nouns import Noun, read_noun
-from grounding.graded.reader import Reader
 from grounding.graded.scene import Scene
 from grounding.language.tree import Phrase
 from grounding.literal.reader import LiteralReader
 from grounding.literal.values import FIRM, Missing, Unread
+from grounding.literal.wider import held, is_missing
 from grounding.world import Array
 
 HOLDS = 0.5
@@ -41,16 +41,14 @@ class Literal:
 
     Attributes:
         options: ids of what may be handled; one where it is plain what is meant.
-        missing: what is not there, as a sentence for people; "" where all is.
-        limit: that is believed where the graded reading agrees less with the world than this.
+        missing: what is not there; None where all is.
         kind: of action.
         rival: what the words for where to leave open, or None where that is plain.
         vague: whether relations were read on which eyes differ.
     """
 
     options: tuple[tuple[str, ...], ...] = ()
-    missing: str = ""
-    limit: float = 0.0
+    missing: Missing | None = None
     kind: str = "pick"
     rival: Rival | None = None
     vague: bool = False
@@ -72,7 +70,7 @@ def read_literally(tree: Phrase, scene: Scene, history: Sequence[int] = ()) -> L
         vague = reader.vague
         rival = _check(told.destination, told.target, reader)
     except Missing as missing:
-        return Literal(missing=str(missing), limit=missing.limit)
+        return Literal(missing=missing)
     except Unread:
         return None
     ids = scene.layout.ids
@@ -104,10 +102,10 @@ def _check(destination: Sequence[Phrase], target: Array, reader: LiteralReader) 
             except Unread:
                 continue
             except Missing as missing:
-                graded = Reader(reader.scene, history=reader.history).value(phrase).weights
                 if "tower" in noun.kinds:
                     continue  # people call what is lower or higher by the same name, and look from above
-                if noun.head == "container" or missing.limit == FIRM or float(graded.max(initial=0.0)) < missing.limit:
+                agreement = held(noun, reader.scene, reader.views, reader.history)
+                if is_missing(missing, agreement, reader.scene, reader.views, reader.history):
                     raise Missing(str(missing), FIRM) from missing
                 continue
             ranks = noun.directions or noun.distance or noun.ordinals or noun.middle or noun.far
