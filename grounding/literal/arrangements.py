@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -14,6 +15,7 @@ from grounding.language.tree import Phrase
 from grounding.literal.choosing import side_of_all, toward
 from grounding.literal.places import names_of, says_unknown
 from grounding.literal.values import FAINT, FIRM, Meant, Missing, Narrow, Order, Sided, Unread, Viewed
+from grounding.literal.wider import looks_stacked
 from grounding.numbers import spelled
 from grounding.symbols import LAST
 from grounding.world import Array
@@ -109,7 +111,9 @@ def _faint(reader: LiteralReader, noun: Noun, stuff: int, number: int | None) ->
         Unread: it is several things, or towers as one may see them from above.
     """
     if "tower" in noun.kinds and not reader.scene.towers:
-        raise Unread("no towers, but what looks like them from above")
+        if looks_stacked(reader.scene, replace(noun, number=number)):
+            raise Unread("no towers, but what looks like them from above")
+        return []
     counts = frozenset((number,)) if number is not None else frozenset()
     found = [(a.kind, a.mask) for a in reader.layout.fitting(noun.kinds, stuff, counts) if a.noticed]
     if len(found) > 1:

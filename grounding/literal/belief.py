@@ -8,7 +8,11 @@ from dataclasses import dataclass
 from grounding.graded.belief import GradedBelief
 from grounding.graded.scene import ROBOT, SPEAKER, Scene
 from grounding.language.parser import Parse
+from grounding.language.tree import Phrase
+from grounding.literal.presupposed import absences
+from grounding.literal.reader import LiteralReader
 from grounding.literal.texts import Literal, Rival, read_literally
+from grounding.literal.values import Missing
 from grounding.literal.wider import is_missing
 
 LIKELY = 0.1  # parses with a smaller share of the graded belief say nothing literally
@@ -75,7 +79,7 @@ def believe_literally(
             break
         literal = read_literally(parses[place].tree, scene, handled)
         if literal is None and not found:
-            return SILENT
+            return _silent(parses[place].tree, scene, graded, handled)
         if literal is None:
             continue
         found.append(literal)
@@ -85,12 +89,23 @@ def believe_literally(
     if best is None:
         return SILENT
     if best.missing is not None:
-        views = {reading.reader.view: None for reading in graded.readings} or {ROBOT: None}
-        spoken = [reading.truth for reading in graded.readings if reading.reader.view == SPEAKER]
-        agreement = max(graded.truth, *spoken) if spoken else graded.truth
-        gone = is_missing(best.missing, agreement, scene, views, handled)
-        return LiteralBelief(missing=str(best.missing)) if gone else SILENT
+        return LiteralBelief(missing=str(best.missing)) if _gone(best.missing, scene, graded, handled) else SILENT
     share = 1.0 / len(best.options)
     options = tuple(((best.kind, names), share) for names in best.options)
     alike = len(scene.layout.colors) < 2
     return LiteralBelief(options, rival=best.rival, vague=best.vague, alike=alike)
+
+
+def _gone(missing: Missing, scene: Scene, graded: GradedBelief, history: tuple[int, ...]) -> bool:
+    """Whether what is literally missing is so for whom else may speak, and in a wider sense."""
+    views = {reading.reader.view: None for reading in graded.readings} or {ROBOT: None}
+    agreement = max([graded.truth, *(r.truth for r in graded.readings if r.reader.view == SPEAKER)])
+    return is_missing(missing, agreement, scene, views, history)
+
+
+def _silent(tree: Phrase, scene: Scene, graded: GradedBelief, history: tuple[int, ...]) -> LiteralBelief:
+    """What is believed of a text that is not read as a whole."""
+    for missing in absences(tree, LiteralReader(scene, history)):
+        if _gone(missing, scene, graded, history):
+            return LiteralBelief(missing=str(missing))
+    return SILENT

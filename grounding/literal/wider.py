@@ -13,6 +13,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from grounding.geometry.masks import indices_of
 from grounding.graded.nouns import Noun
 from grounding.graded.reader import Reader
 from grounding.graded.scene import ROBOT, Scene
@@ -22,6 +23,9 @@ SHAPED = 0.6
 """An arrangement worth less is none in any sense of the word: nothing that looks like one has the number."""
 HELD = 0.2
 """What is worth less holds of nothing in any sense of the words."""
+CLOSE = 1.6  # centres of blocks of which one seems to stand on the next are at most so many edges apart
+UPRIGHT_ANGLE = 0.4  # to the line of sight at most, of what seems stacked [rad]
+_HEAPS = frozenset("pile piles heap structure structures building".split())
 
 
 def is_missing(missing: Missing, agreement: float, scene: Scene, views: Iterable[str], history: tuple[int, ...]) -> bool:
@@ -63,7 +67,33 @@ def held(noun: Noun, scene: Scene, views: Iterable[str] = (ROBOT,), history: tup
     return max((_by(Reader(scene, view, history), noun) for view in views), default=0.0)
 
 
+def looks_stacked(scene: Scene, noun: Noun) -> bool:
+    """Whether something lies as what is called a tower may look from above, where nothing is stacked.
+
+    Blocks in contact one behind the other are a stack in a picture; what is called a pile may be any heap.
+
+    Args:
+        scene: the world.
+        noun: of an arrangement; its number, if it has one, has to be met.
+    """
+    layout = scene.layout
+    heaped = not _HEAPS.isdisjoint(noun.text.split())
+    for a in layout.arrangements:
+        if noun.number not in (None, a.count) or not a.noticed:
+            continue
+        if a.kind == "group" and heaped:
+            return True
+        if a.kind == "column" and a.angle < UPRIGHT_ANGLE:
+            ahead = np.sort(layout.positions[list(indices_of(a.mask)), 0])
+            if float(np.diff(ahead).max()) < CLOSE * scene.edge:
+                return True
+    return False
+
+
 def _by(reader: Reader, noun: Noun) -> float:
+    if noun.head == "container" and "tower" in noun.kinds and not reader.scene.towers:
+        if not looks_stacked(reader.scene, noun):
+            return 0.0
     if noun.head == "block" and noun.plural:
         # several are worth as much as the worst of so many: sets are weighed against each other only
         number = noun.number or (2 if "both" in noun.text.split() else 1)
