@@ -70,6 +70,14 @@ def mean_arrangement(reader: LiteralReader, noun: Noun) -> Meant:
     return _chosen(reader, noun, found, rest, number)
 
 
+def size_of(noun: Noun) -> int | None:
+    """How many members a noun of a set or of several is said to have, or None."""
+    if noun.number is not None or noun.head != "container":
+        return noun.number
+    contents = (_content(modifier) for modifier in noun.modifiers)
+    return next((content.number for content in contents if content is not None and content.number), None)
+
+
 def _seen(reader: LiteralReader, noun: Noun, stuff: int) -> Found:
     layout = reader.layout
     slanted = {(a.kind, a.mask) for a in layout.arrangements if a.kind in ("row", "column") and a.angle > SLANTED}

@@ -11,7 +11,9 @@ from typing import TYPE_CHECKING
 
 from grounding.graded.nouns import Noun, read_noun
 from grounding.language.tree import Phrase
+from grounding.literal.arrangements import size_of
 from grounding.literal.values import FIRM, Missing, Unread
+from grounding.numbers import ranked, spelled
 
 if TYPE_CHECKING:
     from grounding.literal.reader import LiteralReader
@@ -30,21 +32,39 @@ def absences(tree: Phrase, reader: LiteralReader) -> Iterator[Missing]:
     """
     if FORMING & {leaf.text for leaf in tree.leaves}:
         return
+    alike = len(reader.layout.colors) < 2  # where places are all that tells things apart people speak loosely
     for phrase in tree.postorder():
-        if phrase.tag != "NP" or not _presupposes(read_noun(phrase)):
+        if phrase.tag != "NP" or not _presupposes(noun := read_noun(phrase)):
+            continue
+        beyond = _beyond(noun)
+        if beyond is not None:
+            yield beyond
+        if alike and ("tower" not in noun.kinds or reader.scene.towers):
             continue
         try:
             reader.mean(phrase)
         except Unread:
             continue
         except Missing as missing:
-            if missing.shape or missing.limit == FIRM:
-                yield missing
+            yield missing
 
 
 def _presupposes(noun: Noun) -> bool:
-    """Whether a noun says that there is a shape, or so many."""
+    """Whether a noun says that there is something."""
     if not noun.definite or noun.conjoined or noun.other:
         return False
-    shape = noun.head == "container" and not noun.plural
-    return shape or (noun.head == "block" and noun.plural and "the" in noun.text.split()[:1])
+    return (noun.head == "container" and not noun.plural) or (noun.head == "block" and "the" in noun.text.split()[:1])
+
+
+def _beyond(noun: Noun) -> Missing | None:
+    """A rank beyond the number of the set in which it is counted: "the fourth one in the row of three"."""
+    if noun.head != "block" or noun.plural or len(noun.ordinals) != 1:
+        return None
+    for modifier in noun.modifiers:
+        texts = [word.text for word in modifier.words]
+        if modifier.tag != "PP" or texts not in (["of"], ["in"], ["within"]) or len(modifier.phrases) != 1:
+            continue
+        number = size_of(read_noun(modifier.phrases[0]))
+        if number is not None and noun.ordinals[0] > number:
+            return Missing(f"there is no {ranked(noun.ordinals[0])} one of {spelled(number)}", FIRM)
+    return None

@@ -11,6 +11,7 @@ from grounding.graded.discourse import read_text
 from grounding.graded.nouns import Noun, read_noun
 from grounding.graded.scene import Scene
 from grounding.language.tree import Phrase
+from grounding.literal.modifiers import RELATIONS
 from grounding.literal.reader import LiteralReader
 from grounding.literal.values import FIRM, Missing, Unread
 from grounding.literal.wider import held, is_missing
@@ -93,9 +94,9 @@ def _check(destination: Sequence[Phrase], target: Array, reader: LiteralReader) 
     if any(leaf.text in _FORMING for piece in destination for leaf in piece.leaves):
         return None
     for piece in destination:
-        for phrase in _named(piece):
+        for phrase, related in _named(piece):
             noun = read_noun(phrase)
-            if any(leaf.text in _BACK for leaf in phrase.leaves) or _measures(noun):
+            if any(leaf.text in _BACK for leaf in phrase.leaves) or (_measures(noun) and not related):
                 continue
             try:
                 meant = reader.meant(noun)
@@ -125,10 +126,13 @@ def _measures(noun: Noun) -> bool:
     return noun.head == "measure" or (bare and "the" not in noun.text.split())
 
 
-def _named(phrase: Phrase) -> Iterator[Phrase]:
-    """The noun phrases of things that are not within others."""
+def _named(phrase: Phrase, *, related: bool = False) -> Iterator[tuple[Phrase, bool]]:
+    """The noun phrases of things that are not within others, each with whether a preposition relates to it."""
     if phrase.tag == "NP" and read_noun(phrase).head in ("block", "container"):
-        yield phrase
+        yield phrase, related
         return
-    for child in phrase.phrases:
-        yield from _named(child)
+    before = ""
+    for child in phrase.children:
+        if isinstance(child, Phrase):
+            yield from _named(child, related=before in RELATIONS and RELATIONS[before] != "near")
+        before = "" if isinstance(child, Phrase) else child.text

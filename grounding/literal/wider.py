@@ -14,6 +14,8 @@ from dataclasses import replace
 import numpy as np
 
 from grounding.geometry.masks import indices_of
+from grounding.graded import sets
+from grounding.graded.colors import colored
 from grounding.graded.nouns import Noun
 from grounding.graded.reader import Reader
 from grounding.graded.scene import ROBOT, Scene
@@ -21,7 +23,7 @@ from grounding.literal.values import FIRM, Missing
 
 SHAPED = 0.6
 """An arrangement worth less is none in any sense of the word: nothing that looks like one has the number."""
-HELD = 0.2
+HELD = 0.25
 """What is worth less holds of nothing in any sense of the words."""
 CLOSE = 1.6  # centres of blocks of which one seems to stand on the next are at most so many edges apart
 UPRIGHT_ANGLE = 0.4  # to the line of sight at most, of what seems stacked [rad]
@@ -43,12 +45,16 @@ def is_missing(missing: Missing, agreement: float, scene: Scene, views: Iterable
     noun, limit = missing.noun, missing.limit
     if noun is None:
         return agreement < limit
-    alike = len(scene.layout.colors) < 2
     firm = limit == FIRM
-    if alike and not firm:
-        return agreement < limit and (noun.head != "container" or held(noun, scene, views, history) < SHAPED)
+    alike = len(scene.layout.colors) < 2
+    if missing.shape and "tower" in noun.kinds and not scene.towers:
+        return held(noun, scene, views, history) < SHAPED
+    if alike and not firm and (agreement >= limit or noun.head != "container"):
+        return agreement < limit
     worth = held(noun, scene, views, history)
     if noun.head == "container":
+        if firm and missing.shape and not alike:
+            worth = min(worth, _plainly(noun, scene))
         return worth < (SHAPED if missing.shape else HELD)
     if firm:
         return not alike or worth < HELD
@@ -65,6 +71,13 @@ def held(noun: Noun, scene: Scene, views: Iterable[str] = (ROBOT,), history: tup
         history: indices of the objects handled before, the latest last.
     """
     return max((_by(Reader(scene, view, history), noun) for view in views), default=0.0)
+
+
+def _plainly(noun: Noun, scene: Scene) -> float:
+    """How much the best line of so many looks like one: where colours tell things apart nobody counts bands."""
+    wanted = colored(scene, noun.colors) > 0.5 if noun.colors else np.ones(scene.n, dtype=bool)
+    found = sets.arranged(scene, noun.kinds, wanted, noun.number)
+    return max((weight for mask, weight in found if noun.number in (None, int(mask.sum()))), default=0.0)
 
 
 def looks_stacked(scene: Scene, noun: Noun) -> bool:
