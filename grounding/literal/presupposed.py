@@ -1,7 +1,7 @@
 """What a text speaks of beside what it handles, where it is not read as a whole.
 
-A text may be beyond what is read literally though a phrase within it is not: "the one opposite of the row of seven" says
-that there is a row of seven. Shapes and counts that are presupposed are looked for phrase by phrase.
+A text may be beyond what is read literally though a phrase within it is not: "the one opposite the row of seven" says
+that there is a row of seven. What definite phrases presuppose is looked for one by one.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ FORMING = frozenset(
 
 
 def absences(tree: Phrase, reader: LiteralReader) -> Iterator[Missing]:
-    """The shapes and counts that a text presupposes and that are literally not there.
+    """What the definite phrases of a text presuppose and what is literally not there, innermost first.
 
     Args:
         tree: the parse.

@@ -91,6 +91,7 @@ def _check(destination: Sequence[Phrase], target: Array, reader: LiteralReader) 
         Missing: something that it speaks of is not there.
     """
     rival: Rival | None = None
+    alike = len(reader.layout.colors) < 2
     if any(leaf.text in _FORMING for piece in destination for leaf in piece.leaves):
         return None
     for piece in destination:
@@ -114,7 +115,7 @@ def _check(destination: Sequence[Phrase], target: Array, reader: LiteralReader) 
             itself = set(np.flatnonzero(target > HOLDS)) == set(reader.members(meant.chosen))
             if leads and not ranks and meant.chosen and itself:
                 raise Missing(f"{phrase.text!r} is what is to be moved itself", FIRM)
-            told = noun.colors and not noun.modifiers and phrase.leaves[0].text in _POINTING
+            told = (noun.colors and not noun.modifiers or not alike) and phrase.leaves[0].text in _POINTING
             if told and not meant.chosen and not meant.plural and rival is None:
                 rival = Rival(phrase.text, tuple(reader.layout.ids[i] for i in reader.members(meant.pool)))
     return rival

@@ -26,14 +26,16 @@ SHAPED = 0.6
 HELD = 0.25
 """What is worth less holds of nothing in any sense of the words."""
 CLOSE = 1.6  # centres of blocks of which one seems to stand on the next are at most so many edges apart
-UPRIGHT_ANGLE = 0.4  # to the line of sight at most, of what seems stacked [rad]
+AHEAD = 0.4  # to the line of sight at most, of what seems stacked [rad]
 _HEAPS = frozenset("pile piles heap structure structures building".split())
 
 
-def is_missing(missing: Missing, agreement: float, scene: Scene, views: Iterable[str], history: tuple[int, ...]) -> bool:
+def is_missing(
+    missing: Missing, agreement: float, scene: Scene, views: Iterable[str], history: tuple[int, ...] = ()
+) -> bool:
     """Whether what literally is not there is missing in a wider sense of its words as well.
 
-    Where places are all that tells things apart people speak loosely, so that it counts what the whole text agrees with.
+    Where places are all that tells things apart people speak loosely; then it counts how well the whole text agrees.
 
     Args:
         missing: what is literally not there.
@@ -42,23 +44,22 @@ def is_missing(missing: Missing, agreement: float, scene: Scene, views: Iterable
         views: whose directions may be meant.
         history: indices of the objects handled before, the latest last.
     """
-    noun, limit = missing.noun, missing.limit
+    noun, firm = missing.noun, missing.limit == FIRM
     if noun is None:
-        return agreement < limit
-    firm = limit == FIRM
+        return agreement < missing.limit
     alike = len(scene.layout.colors) < 2
-    if missing.shape and "tower" in noun.kinds and not scene.towers:
-        return held(noun, scene, views, history) < SHAPED
-    if alike and not firm and (agreement >= limit or noun.head != "container"):
-        return agreement < limit
+    flat = missing.shape and "tower" in noun.kinds and not scene.towers
+    shaped = noun.head == "container"
+    if alike and not firm and not flat and (agreement >= missing.limit or not shaped):
+        return agreement < missing.limit
     worth = held(noun, scene, views, history)
-    if noun.head == "container":
-        if firm and missing.shape and not alike:
-            worth = min(worth, _plainly(noun, scene))
+    if shaped and firm and missing.shape and not alike:
+        worth = min(worth, _plainly(noun, scene))
+    if shaped:
         return worth < (SHAPED if missing.shape else HELD)
     if firm:
         return not alike or worth < HELD
-    return min(agreement, worth) < max(limit, HELD)
+    return min(agreement, worth) < max(missing.limit, HELD)
 
 
 def held(noun: Noun, scene: Scene, views: Iterable[str] = (ROBOT,), history: tuple[int, ...] = ()) -> float:
@@ -73,13 +74,6 @@ def held(noun: Noun, scene: Scene, views: Iterable[str] = (ROBOT,), history: tup
     return max((_by(Reader(scene, view, history), noun) for view in views), default=0.0)
 
 
-def _plainly(noun: Noun, scene: Scene) -> float:
-    """How much the best line of so many looks like one: where colours tell things apart nobody counts bands."""
-    wanted = colored(scene, noun.colors) > 0.5 if noun.colors else np.ones(scene.n, dtype=bool)
-    found = sets.arranged(scene, noun.kinds, wanted, noun.number)
-    return max((weight for mask, weight in found if noun.number in (None, int(mask.sum()))), default=0.0)
-
-
 def looks_stacked(scene: Scene, noun: Noun) -> bool:
     """Whether something lies as what is called a tower may look from above, where nothing is stacked.
 
@@ -89,30 +83,35 @@ def looks_stacked(scene: Scene, noun: Noun) -> bool:
         scene: the world.
         noun: of an arrangement; its number, if it has one, has to be met.
     """
-    layout = scene.layout
     heaped = not _HEAPS.isdisjoint(noun.text.split())
-    for a in layout.arrangements:
+    for a in scene.layout.arrangements:
         if noun.number not in (None, a.count) or not a.noticed:
             continue
         if a.kind == "group" and heaped:
             return True
-        if a.kind == "column" and a.angle < UPRIGHT_ANGLE:
-            ahead = np.sort(layout.positions[list(indices_of(a.mask)), 0])
+        if a.kind == "column" and a.angle < AHEAD:
+            ahead = np.sort(scene.layout.positions[list(indices_of(a.mask)), 0])
             if float(np.diff(ahead).max()) < CLOSE * scene.edge:
                 return True
     return False
 
 
 def _by(reader: Reader, noun: Noun) -> float:
-    if noun.head == "container" and "tower" in noun.kinds and not reader.scene.towers:
-        if not looks_stacked(reader.scene, noun):
-            return 0.0
     if noun.head == "block" and noun.plural:
-        # several are worth as much as the worst of so many: sets are weighed against each other only
+        # several are worth what the worst of so many is: as sets they are only weighed against each other
         number = noun.number or (2 if "both" in noun.text.split() else 1)
-        weights = np.sort(reader.noun(replace(noun, plural=False, number=None, universal=False, definite=False)).weights)
+        each = replace(noun, plural=False, number=None, universal=False, definite=False)
+        weights = np.sort(reader.noun(each).weights)
         return float(weights[-number]) if number <= len(weights) else 0.0
-    value = reader.noun(noun)
-    if noun.head == "container":
-        return max((weight for _, weight in value.sets), default=0.0)
-    return float(value.weights.max(initial=0.0))
+    if noun.head != "container":
+        return float(reader.noun(noun).weights.max(initial=0.0))
+    if "tower" in noun.kinds and not reader.scene.towers and not looks_stacked(reader.scene, noun):
+        return 0.0
+    return max((weight for _, weight in reader.noun(noun).sets), default=0.0)
+
+
+def _plainly(noun: Noun, scene: Scene) -> float:
+    """How much the best line of so many looks like one: where colours tell things apart nobody counts bands."""
+    wanted = colored(scene, noun.colors) > 0.5 if noun.colors else np.ones(scene.n, dtype=bool)
+    found = sets.arranged(scene, noun.kinds, wanted, noun.number)
+    return max((weight for mask, weight in found if noun.number in (None, int(mask.sum()))), default=0.0)
