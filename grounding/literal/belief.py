@@ -12,7 +12,7 @@ from grounding.language.tree import Phrase
 from grounding.literal.presupposed import absences
 from grounding.literal.reader import LiteralReader
 from grounding.literal.texts import Literal, Rival, read_literally
-from grounding.literal.values import Missing
+from grounding.literal.values import FAINT, Missing
 from grounding.literal.wider import is_missing
 
 LIKELY = 0.1  # parses with a smaller share of the graded belief say nothing literally
@@ -92,7 +92,7 @@ def believe_literally(
         return LiteralBelief(missing=str(best.missing)) if _gone(best.missing, scene, graded, handled) else SILENT
     share = 1.0 / len(best.options)
     options = tuple(((best.kind, names), share) for names in best.options)
-    alike = len(scene.layout.colors) < 2
+    alike = len(scene.layout.colors) < 2 and graded.truth >= FAINT
     return LiteralBelief(options, rival=best.rival, vague=best.vague, alike=alike)
 
 

@@ -187,6 +187,8 @@ def _one(reader: LiteralReader, noun: Noun, said: _Said) -> Meant:
     for other in orders[1:]:
         if _ranked(reader, said, pool, other, None) != chosen:
             raise Unread("two ways to choose")
+    if not chosen and any(narrow.chosen for narrow in said.narrows):
+        raise Unread("a rank of what is the only one")
     if not chosen:
         rank = orders[0].index or index or 1
         count = "is only one" if single(pool) else f"are {spelled(pool.bit_count())}"
@@ -220,6 +222,8 @@ def _ranked(reader: LiteralReader, said: _Said, pool: int, order: Order, index: 
 
 def _unranked(reader: LiteralReader, noun: Noun, said: _Said, pool: int, index: int | None) -> Meant:
     if index is not None:
+        if index > pool.bit_count() and any(narrow.chosen for narrow in said.narrows):
+            raise Unread("a rank of what is the only one")
         if index > pool.bit_count():
             count = spelled(pool.bit_count())
             raise Missing(f"there is no {ranked(index)} one; there are {count}", PLAIN if _by_count(said) else FAINT)

@@ -68,12 +68,14 @@ class Narrow:
         region: whose nearest one is meant where it holds of several, or None.
         strict: whether what is straight there is asked for.
         vague: whether eyes differ on what it holds of.
+        chosen: whether it names one by itself: "which is the farthest one".
     """
 
     mask: int
     region: Region | None = None
     strict: bool = False
     vague: bool = False
+    chosen: bool = False
 
 
 @dataclass(frozen=True)
