@@ -14,6 +14,7 @@ from grounding.graded.nouns import Noun, read_noun
 from grounding.language.tree import Phrase
 from grounding.literal.choosing import side_of_all, toward
 from grounding.literal.places import names_of, says_unknown
+from grounding.literal.things import lacking
 from grounding.literal.values import FAINT, FIRM, Meant, Missing, Narrow, Order, Sided, Unread, Viewed
 from grounding.literal.wider import looks_stacked
 from grounding.numbers import spelled
@@ -53,7 +54,7 @@ def mean_arrangement(reader: LiteralReader, noun: Noun) -> Meant:
     for color in colors[:1]:
         stuff = reader.layout.matching(None, color)
         if not stuff:
-            raise Unread(noun.text)
+            raise lacking(reader, colors)
     found = _seen(reader, noun, stuff)
     if number is None and _counts_bands(reader, noun, stuff, found):
         raise Unread("lines are counted across the table, of which one block may be one")
