@@ -87,7 +87,7 @@ def decide(
         return Grounding(text, "not_understood", explanation=refusal, unknown_words=words, phrases=phrases)
     if graded is not None and not (graded.options and graded.truth > 0) and not literal.options:
         graded = None
-    if literal.missing and (graded is None or graded.truth < literal.limit):
+    if literal.missing:
         return Grounding(text, "no_referent", explanation=literal.missing, unknown_words=words, phrases=phrases)
     if (graded is None or graded.truth < CREDIBLE) and not literal.options:
         missing = whats_missing(tree, scene) if graded is not None or found[0].actions else None

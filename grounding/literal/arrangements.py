@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -13,7 +14,9 @@ from grounding.graded.nouns import Noun, read_noun
 from grounding.language.tree import Phrase
 from grounding.literal.choosing import side_of_all, toward
 from grounding.literal.places import names_of, says_unknown
+from grounding.literal.things import lacking
 from grounding.literal.values import FAINT, FIRM, Meant, Missing, Narrow, Order, Sided, Unread, Viewed
+from grounding.literal.wider import looks_stacked
 from grounding.numbers import spelled
 from grounding.symbols import LAST
 from grounding.world import Array
@@ -51,7 +54,7 @@ def mean_arrangement(reader: LiteralReader, noun: Noun) -> Meant:
     for color in colors[:1]:
         stuff = reader.layout.matching(None, color)
         if not stuff:
-            raise Unread(noun.text)
+            raise lacking(reader, colors)
     found = _seen(reader, noun, stuff)
     if number is None and _counts_bands(reader, noun, stuff, found):
         raise Unread("lines are counted across the table, of which one block may be one")
@@ -62,8 +65,18 @@ def mean_arrangement(reader: LiteralReader, noun: Noun) -> Meant:
     if not found:
         of = f" of {spelled(number)} blocks" if number else ""
         seen_loosely = {"group", "diagonal", "tower"} & set(noun.kinds[:1])
-        raise Missing(f"there is no {' '.join((*colors[:1], noun.kinds[0]))}{of} here", FAINT if seen_loosely else FIRM)
+        text = f"there is no {' '.join((*colors[:1], noun.kinds[0]))}{of} here"
+        bare = Noun(head="container", kinds=noun.kinds, colors=colors[:1], number=number, text=noun.text)
+        raise Missing(text, FAINT if seen_loosely else FIRM, bare, shape=True)
     return _chosen(reader, noun, found, rest, number)
+
+
+def size_of(noun: Noun) -> int | None:
+    """How many members a noun of a set or of several is said to have, or None."""
+    if noun.number is not None or noun.head != "container":
+        return noun.number
+    contents = (_content(modifier) for modifier in noun.modifiers)
+    return next((content.number for content in contents if content is not None and content.number), None)
 
 
 def _seen(reader: LiteralReader, noun: Noun, stuff: int) -> Found:
@@ -107,7 +120,9 @@ def _faint(reader: LiteralReader, noun: Noun, stuff: int, number: int | None) ->
         Unread: it is several things, or towers as one may see them from above.
     """
     if "tower" in noun.kinds and not reader.scene.towers:
-        raise Unread("no towers, but what looks like them from above")
+        if looks_stacked(reader.scene, replace(noun, number=number)):
+            raise Unread("no towers, but what looks like them from above")
+        return []
     counts = frozenset((number,)) if number is not None else frozenset()
     found = [(a.kind, a.mask) for a in reader.layout.fitting(noun.kinds, stuff, counts) if a.noticed]
     if len(found) > 1:

@@ -6,9 +6,14 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from grounding.graded.belief import GradedBelief
-from grounding.graded.scene import SPEAKER, Scene
+from grounding.graded.scene import ROBOT, SPEAKER, Scene
 from grounding.language.parser import Parse
+from grounding.language.tree import Phrase
+from grounding.literal.presupposed import absences
+from grounding.literal.reader import LiteralReader
 from grounding.literal.texts import Literal, Rival, read_literally
+from grounding.literal.values import FAINT, Missing
+from grounding.literal.wider import is_missing
 
 LIKELY = 0.1  # parses with a smaller share of the graded belief say nothing literally
 
@@ -29,7 +34,6 @@ class LiteralBelief:
     Attributes:
         options: (action, ids) that it leaves, with equal shares; none where it is silent or something is missing.
         missing: what is not there, as a sentence for people; "" where all is, or where that is not known.
-        limit: that is believed where the graded reading agrees less with the world than this.
         rival: what the words for where to leave open, as far as they were read.
         vague: whether relations were read on which eyes differ.
         alike: whether places are all that tells the things of the world apart.
@@ -39,7 +43,6 @@ class LiteralBelief:
 
     options: tuple[tuple[Option, float], ...] = ()
     missing: str = ""
-    limit: float = 0.0
     rival: Rival | None = None
     vague: bool = False
     alike: bool = False
@@ -79,7 +82,7 @@ def believe_literally(
             break
         literal = read_literally(parses[place].tree, scene, handled)
         if literal is None and not found:
-            return SILENT
+            return _silent(parses[place].tree, scene, graded, handled)
         if literal is None:
             continue
         found.append(literal)
@@ -88,16 +91,24 @@ def believe_literally(
     best = min(found, key=lambda literal: len(literal.options) or len(parses) + scene.n, default=None)
     if best is None:
         return SILENT
-    if not best.options and _seen_otherwise(graded, best.limit):
-        return SILENT
-    if not best.options:
-        return LiteralBelief(missing=best.missing, limit=best.limit)
+    if best.missing is not None:
+        return LiteralBelief(missing=str(best.missing)) if _gone(best.missing, scene, graded, handled) else SILENT
     share = 1.0 / len(best.options)
     options = tuple(((best.kind, names), share) for names in best.options)
-    alike = len(scene.layout.colors) < 2
+    alike = len(scene.layout.colors) < 2 and graded.truth >= FAINT
     return LiteralBelief(options, rival=best.rival, vague=best.vague, alike=alike, plural=best.plural)
 
 
-def _seen_otherwise(graded: GradedBelief, limit: float) -> bool:
-    """Whether what is missing as the robot sees it is there as the speaker does, whose view is not read literally."""
-    return any(reading.reader.view == SPEAKER and reading.truth >= limit for reading in graded.readings)
+def _gone(missing: Missing, scene: Scene, graded: GradedBelief, history: tuple[int, ...]) -> bool:
+    """Whether what is literally missing is so for whom else may speak, and in a wider sense."""
+    views = {reading.reader.view: None for reading in graded.readings} or {ROBOT: None}
+    agreement = max([graded.truth, *(r.truth for r in graded.readings if r.reader.view == SPEAKER)])
+    return is_missing(missing, agreement, scene, views, history)
+
+
+def _silent(tree: Phrase, scene: Scene, graded: GradedBelief, history: tuple[int, ...]) -> LiteralBelief:
+    """What is believed of a text that is not read as a whole."""
+    for missing in absences(tree, LiteralReader(scene, history)):
+        if _gone(missing, scene, graded, history):
+            return LiteralBelief(missing=str(missing))
+    return SILENT

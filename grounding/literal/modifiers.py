@@ -99,7 +99,7 @@ def _predicate(reader: LiteralReader, noun: Noun, pool: int) -> list[Effect]:
             return _at(reader, meant, "", noun, None)
         noun = replace(noun, head="block")
     meant = reader.meant(replace(noun, head="block"), pool)
-    return [Narrow(meant.chosen or meant.pool)]
+    return [Narrow(meant.chosen or meant.pool, chosen=bool(meant.chosen))]
 
 
 def _relation(reader: LiteralReader, phrase: Phrase, words: list[Word], noun: Noun, pool: int) -> list[Effect]:

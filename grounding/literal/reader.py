@@ -42,6 +42,11 @@ class LiteralReader:
         self.context: Array | None = None
         self.vague = False
 
+    @property
+    def views(self) -> tuple[str, ...]:
+        """Whose directions may be meant where nobody is named."""
+        return (ROBOT,) if self.layout.world.speaker is None else (ROBOT, SPEAKER)
+
     def mean(self, phrase: Phrase) -> Meant:
         """What a noun phrase means; see `meant`."""
         return self.meant(read_noun(phrase))
@@ -57,6 +62,13 @@ class LiteralReader:
             Unread: it is beyond what is read literally.
             Missing: it means nothing that is there.
         """
+        try:
+            return self._meant(noun, base)
+        except Missing as missing:
+            missing.noun = missing.noun or noun
+            raise
+
+    def _meant(self, noun: Noun, base: int | None) -> Meant:
         if self.history and past.is_recalled(noun):
             return self._thing(1 << self.history[-1])
         if noun.conjoined:
@@ -166,6 +178,8 @@ class LiteralReader:
         try:
             return self._value(self.meant(noun, inside)).weights
         except Missing:
+            if max(noun.ordinals, default=0) > inside.bit_count() > 0:
+                raise  # "there is a tower of four. take the fifth"
             return np.zeros(self.scene.n)
 
     def everything_in(self, noun: Noun) -> Value:

@@ -9,11 +9,12 @@ import numpy as np
 
 from grounding.graded.discourse import read_text
 from grounding.graded.nouns import Noun, read_noun
-from grounding.graded.reader import Reader
 from grounding.graded.scene import Scene
 from grounding.language.tree import Phrase
+from grounding.literal.modifiers import RELATIONS
 from grounding.literal.reader import LiteralReader
 from grounding.literal.values import FIRM, Missing, Unread
+from grounding.literal.wider import held, is_missing
 from grounding.world import Array
 
 HOLDS = 0.5
@@ -41,8 +42,7 @@ class Literal:
 
     Attributes:
         options: ids of what may be handled; one where it is plain what is meant.
-        missing: what is not there, as a sentence for people; "" where all is.
-        limit: that is believed where the graded reading agrees less with the world than this.
+        missing: what is not there; None where all is.
         kind: of action.
         rival: what the words for where to leave open, or None where that is plain.
         vague: whether relations were read on which eyes differ.
@@ -50,8 +50,7 @@ class Literal:
     """
 
     options: tuple[tuple[str, ...], ...] = ()
-    missing: str = ""
-    limit: float = 0.0
+    missing: Missing | None = None
     kind: str = "pick"
     rival: Rival | None = None
     vague: bool = False
@@ -74,7 +73,7 @@ def read_literally(tree: Phrase, scene: Scene, history: Sequence[int] = ()) -> L
         vague = reader.vague
         rival = _check(told.destination, told.target, reader)
     except Missing as missing:
-        return Literal(missing=str(missing), limit=missing.limit)
+        return Literal(missing=missing)
     except Unread:
         return None
     ids = scene.layout.ids
@@ -94,22 +93,23 @@ def _check(destination: Sequence[Phrase], target: Array, reader: LiteralReader) 
         Missing: something that it speaks of is not there.
     """
     rival: Rival | None = None
+    alike = len(reader.layout.colors) < 2
     if any(leaf.text in _FORMING for piece in destination for leaf in piece.leaves):
         return None
     for piece in destination:
-        for phrase in _named(piece):
+        for phrase, related in _named(piece):
             noun = read_noun(phrase)
-            if any(leaf.text in _BACK for leaf in phrase.leaves) or _measures(noun):
+            if any(leaf.text in _BACK for leaf in phrase.leaves) or (_measures(noun) and not related):
                 continue
             try:
                 meant = reader.meant(noun)
             except Unread:
                 continue
             except Missing as missing:
-                graded = Reader(reader.scene, history=reader.history).value(phrase).weights
                 if "tower" in noun.kinds:
                     continue  # people call what is lower or higher by the same name, and look from above
-                if noun.head == "container" or missing.limit == FIRM or float(graded.max(initial=0.0)) < missing.limit:
+                agreement = held(noun, reader.scene, reader.views, reader.history)
+                if is_missing(missing, agreement, reader.scene, reader.views, reader.history):
                     raise Missing(str(missing), FIRM) from missing
                 continue
             ranks = noun.directions or noun.distance or noun.ordinals or noun.middle or noun.far
@@ -117,7 +117,7 @@ def _check(destination: Sequence[Phrase], target: Array, reader: LiteralReader) 
             itself = set(np.flatnonzero(target > HOLDS)) == set(reader.members(meant.chosen))
             if leads and not ranks and meant.chosen and itself:
                 raise Missing(f"{phrase.text!r} is what is to be moved itself", FIRM)
-            told = noun.colors and not noun.modifiers and phrase.leaves[0].text in _POINTING
+            told = (noun.colors and not noun.modifiers or not alike) and phrase.leaves[0].text in _POINTING
             if told and not meant.chosen and not meant.plural and rival is None:
                 rival = Rival(phrase.text, tuple(reader.layout.ids[i] for i in reader.members(meant.pool)))
     return rival
@@ -129,10 +129,13 @@ def _measures(noun: Noun) -> bool:
     return noun.head == "measure" or (bare and "the" not in noun.text.split())
 
 
-def _named(phrase: Phrase) -> Iterator[Phrase]:
-    """The noun phrases of things that are not within others."""
+def _named(phrase: Phrase, *, related: bool = False) -> Iterator[tuple[Phrase, bool]]:
+    """The noun phrases of things that are not within others, each with whether a preposition relates to it."""
     if phrase.tag == "NP" and read_noun(phrase).head in ("block", "container"):
-        yield phrase
+        yield phrase, related
         return
-    for child in phrase.phrases:
-        yield from _named(child)
+    before = ""
+    for child in phrase.children:
+        if isinstance(child, Phrase):
+            yield from _named(child, related=before in RELATIONS and RELATIONS[before] != "near")
+        before = "" if isinstance(child, Phrase) else child.text

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from grounding.geometry.masks import indices_of, single
+from grounding.graded.colors import colored
 from grounding.graded.nouns import Noun
 from grounding.literal.choosing import (
     alone,
@@ -37,7 +38,7 @@ from grounding.literal.values import (
     Unread,
     Viewed,
 )
-from grounding.numbers import ranked, spelled
+from grounding.numbers import listed, ranked, spelled
 from grounding.symbols import LAST
 
 if TYPE_CHECKING:
@@ -81,7 +82,7 @@ def mean_things(reader: LiteralReader, noun: Noun, base: int | None = None) -> M
     for color in noun.colors or (None,):
         pool |= layout.matching(kind, color)
     if not pool:
-        raise Unread(noun.text)  # colours are seen differently, see `grounding.missing`
+        raise lacking(reader, noun.colors)
     if base is not None:
         pool &= base
     if noun.lone:
@@ -128,6 +129,16 @@ def mean_things(reader: LiteralReader, noun: Noun, base: int | None = None) -> M
         raise Missing(f"nothing here is {noun.text!r}", FIRM if noun.plural and noun.colors else FAINT)
     reader.vague |= any(narrow.vague for narrow in said.narrows) or any(s.name == "center" for s in said.sides)
     return _several(reader, noun, said, names) if noun.plural else _one(reader, noun, said)
+
+
+def lacking(reader: LiteralReader, colors: tuple[str, ...]) -> Missing | Unread:
+    """What is to be said of colours that nothing has: that they are missing, unless another one is taken for them."""
+    scene = reader.scene
+    if not colors or colored(scene, colors).any():
+        return Unread(" ".join(colors))
+    there = sorted({item.color for item in scene.layout.things if item.color != "unknown"})
+    told = f"there is no {listed(colors, 'or')} block; what is here is {listed(there)}"
+    return Missing(told, FIRM, Noun(head="block", colors=colors, text=told))
 
 
 def _almost(reader: LiteralReader, pool: int, said: _Said) -> bool:
@@ -187,6 +198,8 @@ def _one(reader: LiteralReader, noun: Noun, said: _Said) -> Meant:
     for other in orders[1:]:
         if _ranked(reader, said, pool, other, None) != chosen:
             raise Unread("two ways to choose")
+    if not chosen and any(narrow.chosen for narrow in said.narrows):
+        raise Unread("a rank of what is the only one")
     if not chosen:
         rank = orders[0].index or index or 1
         count = "is only one" if single(pool) else f"are {spelled(pool.bit_count())}"
@@ -220,6 +233,8 @@ def _ranked(reader: LiteralReader, said: _Said, pool: int, order: Order, index: 
 
 def _unranked(reader: LiteralReader, noun: Noun, said: _Said, pool: int, index: int | None) -> Meant:
     if index is not None:
+        if index > pool.bit_count() and any(narrow.chosen for narrow in said.narrows):
+            raise Unread("a rank of what is the only one")
         if index > pool.bit_count():
             count = spelled(pool.bit_count())
             raise Missing(f"there is no {ranked(index)} one; there are {count}", PLAIN if _by_count(said) else FAINT)

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from grounding.graded.nouns import Noun
 from grounding.symbols import Region
 from grounding.world import Array
 
@@ -28,11 +29,15 @@ class Missing(Exception):
     Args:
         text: the sentence.
         limit: it is believed where the graded reading agrees less with the world than this.
+        noun: whose words hold of nothing, the innermost; None where that is not one noun.
+        shape: whether nothing here has the shape, wherever it may lie.
     """
 
-    def __init__(self, text: str, limit: float = FAINT) -> None:
+    def __init__(self, text: str, limit: float = FAINT, noun: Noun | None = None, *, shape: bool = False) -> None:
         super().__init__(text)
         self.limit = limit
+        self.noun = noun
+        self.shape = shape
 
 
 @dataclass(frozen=True, eq=False)
@@ -63,12 +68,14 @@ class Narrow:
         region: whose nearest one is meant where it holds of several, or None.
         strict: whether what is straight there is asked for.
         vague: whether eyes differ on what it holds of.
+        chosen: whether it names one by itself: "which is the farthest one".
     """
 
     mask: int
     region: Region | None = None
     strict: bool = False
     vague: bool = False
+    chosen: bool = False
 
 
 @dataclass(frozen=True)

@@ -1,0 +1,70 @@
+"""What a text speaks of beside what it handles, where it is not read as a whole.
+
+A text may be beyond what is read literally though a phrase within it is not: "the one opposite the row of seven" says
+that there is a row of seven. What definite phrases presuppose is looked for one by one.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from grounding.graded.nouns import Noun, read_noun
+from grounding.language.tree import Phrase
+from grounding.literal.arrangements import size_of
+from grounding.literal.values import FIRM, Missing, Unread
+from grounding.numbers import ranked, spelled
+
+if TYPE_CHECKING:
+    from grounding.literal.reader import LiteralReader
+
+FORMING = frozenset(
+    "form forms make makes making create creates creating become becomes forming build builds building".split()
+)
+
+
+def absences(tree: Phrase, reader: LiteralReader) -> Iterator[Missing]:
+    """What the definite phrases of a text presuppose and what is literally not there, innermost first.
+
+    Args:
+        tree: the parse.
+        reader: of its phrases.
+    """
+    if FORMING & {leaf.text for leaf in tree.leaves}:
+        return
+    alike = len(reader.layout.colors) < 2  # where places are all that tells things apart people speak loosely
+    for phrase in tree.postorder():
+        if phrase.tag != "NP" or not _presupposes(noun := read_noun(phrase)):
+            continue
+        beyond = _beyond(noun)
+        if beyond is not None:
+            yield beyond
+        if alike and ("tower" not in noun.kinds or reader.scene.towers):
+            continue
+        try:
+            reader.mean(phrase)
+        except Unread:
+            continue
+        except Missing as missing:
+            yield missing
+
+
+def _presupposes(noun: Noun) -> bool:
+    """Whether a noun says that there is something."""
+    if not noun.definite or noun.conjoined or noun.other:
+        return False
+    return (noun.head == "container" and not noun.plural) or (noun.head == "block" and "the" in noun.text.split()[:1])
+
+
+def _beyond(noun: Noun) -> Missing | None:
+    """A rank beyond the number of the set in which it is counted: "the fourth one in the row of three"."""
+    if noun.head != "block" or noun.plural or len(noun.ordinals) != 1:
+        return None
+    for modifier in noun.modifiers:
+        texts = [word.text for word in modifier.words]
+        if modifier.tag != "PP" or texts not in (["of"], ["in"], ["within"]) or len(modifier.phrases) != 1:
+            continue
+        number = size_of(read_noun(modifier.phrases[0]))
+        if number is not None and noun.ordinals[0] > number:
+            return Missing(f"there is no {ranked(noun.ordinals[0])} one of {spelled(number)}", FIRM)
+    return None
