@@ -41,6 +41,7 @@ class Clue:
         offsets: directions and lengths from there.
         axis: "row" or "column" of what is aligned, or "" where either may be.
         strict: whether "directly" is said.
+        height: of the tower that comes about, in blocks, or 0 where that is not said.
     """
 
     relation: str
@@ -48,3 +49,4 @@ class Clue:
     offsets: tuple[Offset, ...] = ()
     axis: str = ""
     strict: bool = False
+    height: int = 0

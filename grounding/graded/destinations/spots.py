@@ -153,7 +153,7 @@ def _map(g: _Grounded, places: Places, source: int, plan: Plan, reader: Reader) 
     points, relation = places.points, g.clue.relation
     if g.anchors is None:
         if relation == "tower":
-            return np.asarray(places.support >= 0, dtype=float)[:, None]
+            return maps.raising(places, plan, g.clue.height)[:, None]
         if relation == "make":
             return shape_map(points, *completing(g.clue.nouns[0], source, plan))[:, None]
         if relation == "place":
