@@ -280,6 +280,8 @@ def _part(phrase: Phrase, noun: Noun, items: list[Item]) -> None:
     owner = next((p for m in noun.modifiers for p in m.phrases if m.tag == "PP" and p.tag == "NP"), None)
     if owner is not None and read_noun(owner).head not in ("table", "other"):
         _spread(phrase, items)
+    elif noun.agent is not None and noun.place == "side" and not (noun.directions or noun.middle):
+        items.append(Item("place", phrase.text, noun=replace(noun, directions=("front",))))
     elif noun.directions or noun.middle or noun.place == "corner":
         items.append(Item("place", phrase.text, noun=noun))
     else:

@@ -330,6 +330,7 @@ class _Listener(Memory):
         self.forget()
 
     def _on_table(self) -> None:
+        self.surface |= self.relation == "on"
         edge = bool(FACES & set(self.since)) and "to" in self.since
         if self.offsets and self.offsets[-1].steps is None and (self.binds() or edge):
             names = tuple(name for offset in self.offsets for name in offset.names if offset.steps is None)

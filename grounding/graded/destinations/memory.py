@@ -23,6 +23,7 @@ class Memory:
         strict: whether "directly" was said.
         tower: whether a stack comes about.
         height: of that stack, 0 where it is not said.
+        surface: whether the table itself was named.
         rank: the last ordinal, for what follows it ("the third" "story").
         owner: whose direction is next.
         face: directions of a side of what is moved.
@@ -41,6 +42,7 @@ class Memory:
         self.strict = False
         self.tower = False
         self.height = 0
+        self.surface = False
         self.rank = 0
         self.owner: str | None = None
         self.face: tuple[str, ...] = ()
@@ -108,6 +110,8 @@ class Memory:
         self.flush()
         if self.height > 1 or (self.tower and not any(clue.relation == "on" for clue in self.clues)):
             self.clues.append(Clue("tower", height=self.height))
+        if self.surface and not self.clues:
+            self.clues.append(Clue("surface"))
         return self.clues
 
 
