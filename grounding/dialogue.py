@@ -38,6 +38,7 @@ MOST = 5
 
 _ASIDE = frozenset(("aside", "away", "out"))  # "move it out of the way"
 SILENT = LiteralBelief()
+_OFF_TABLE = "so far it would leave the table"
 _OPEN_PLACE = "Where shall I put it?"
 
 
@@ -101,6 +102,9 @@ def decide(
         why = unanswered(tree, scene, words)
         return Grounding(text, why.outcome, explanation=why.explanation, unknown_words=why.words, phrases=phrases)
     result = _outcome(text, believed, scene)
+    unplaced = believed.sure and believed.actions[0].action == "place" and believed.actions[0].destination is None
+    if unplaced and graded is not None and graded.leads_off(believed.actions[0].objects):
+        result = Grounding(text, "no_referent", explanation=_OFF_TABLE)
     if result.outcome == "grounded" and result.actions[0].action == "place" and literal.rival is not None:
         asked = which_place(literal.rival.ids, Describer(scene))
         result = replace(result, outcome="ambiguous", actions=(), alternatives=result.actions, question=asked,

@@ -24,8 +24,10 @@ def returns(tree: Phrase) -> bool:
     tail = " ".join(texts)
     if any(said in tail for said in ("where it was", "where they were", "where it came from", "where you took it")):
         return True
+    adverb = texts[-2:-1] not in (["the"], ["very"], ["far"])
     own = {"its", "original", "old", "previous", "initial", "former"} & set(texts) and _OWN_PLACES & set(texts[-1:])
-    return bool(own) or ("put" in texts or "return" in texts or "bring" in texts) and texts[-1] in ("back", "again")
+    brings = bool({"put", "return", "bring"} & set(texts))
+    return bool(own) or brings and adverb and texts[-1] in ("back", "again")
 
 
 def returned(answer: Grounding, world: World, before: World | None) -> Grounding:

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from grounding.graded import words
-from grounding.graded.destinations import Spot, agreed, find_spot
+from grounding.graded.destinations import Spot, agreed, find_spot, leads_off
 from grounding.graded.destinations.units import in_spaces
 from grounding.graded.discourse import Told, read_text
 from grounding.graded.reader import Reader
@@ -104,6 +104,16 @@ class GradedBelief:
                 found[said] = (spot, reading.share)
         spot = agreed([(spot, share) for spot, share in found.values()], scene.edge)
         return None if spot is None else _destination(spot, source, scene)
+
+
+    def leads_off(self, objects: tuple[str, ...]) -> bool:
+        """Whether the likeliest reading moves an object so far that it leaves the table."""
+        if len(objects) != 1 or not self.readings:
+            return False
+        reading = self.readings[0]
+        scene = reading.reader.scene
+        pieces = [in_spaces(piece, scene.edge) for piece in reading.told.destination]
+        return objects[0] in scene.layout.index and leads_off(pieces, scene.layout.index[objects[0]], reading.reader)
 
 
 def _leads(piece: Phrase) -> bool:

@@ -14,6 +14,7 @@ from grounding.language.cky import FRAGMENT, Beam, Cover, Lexeme, parse_forest
 from grounding.language.events import label_of
 from grounding.language.forest import Node
 from grounding.language.grammar import Grammar
+from grounding.language.kindred import kindred
 from grounding.language.lexicon import known_words, meanings
 from grounding.language.rewriting import rewrite
 from grounding.language.rules import Rules
@@ -155,7 +156,10 @@ class Parser:
         choices = self._choices.get(word)
         if choices is None:
             choices = self._choices_of(word)
-            if not self._is_known(word):
+            verb = None if self.grammar.words.is_known(word) else kindred(word)
+            if verb is not None and self.grammar.words.is_known(verb):
+                choices += tuple((word, tag, label, chance) for _, tag, label, chance in self._choices_of(verb))
+            elif not self._is_known(word):
                 for spelling in self._speller.candidates(word):
                     choices += tuple(
                         (as_read, tag, label, chance + spelling.log_probability)

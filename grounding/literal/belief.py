@@ -86,9 +86,10 @@ def believe_literally(
         if literal is None:
             continue
         found.append(literal)
-        if len(literal.options) == 1:
+        if len(literal.options) == 1 and literal.placed:
             break
-    best = min(found, key=lambda literal: len(literal.options) or len(parses) + scene.n, default=None)
+    best = min(found, key=lambda literal: (not literal.placed, len(literal.options) or len(parses) + scene.n),
+               default=None)  # fmt: skip
     if best is None:
         return SILENT
     if best.missing is not None:

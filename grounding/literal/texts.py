@@ -13,7 +13,7 @@ from grounding.graded.scene import Scene
 from grounding.language.tree import Phrase
 from grounding.literal.modifiers import RELATIONS
 from grounding.literal.reader import LiteralReader
-from grounding.literal.values import FIRM, Missing, Unread
+from grounding.literal.values import FIRM, Meant, Missing, Unread
 from grounding.literal.wider import held, is_missing
 from grounding.world import Array
 
@@ -47,6 +47,7 @@ class Literal:
         rival: what the words for where to leave open, or None where that is plain.
         vague: whether relations were read on which eyes differ.
         plural: whether it speaks of several.
+        placed: whether it tells where to, where something is to be put.
     """
 
     options: tuple[tuple[str, ...], ...] = ()
@@ -55,6 +56,7 @@ class Literal:
     rival: Rival | None = None
     vague: bool = False
     plural: bool = False
+    placed: bool = True
 
 
 def read_literally(tree: Phrase, scene: Scene, history: Sequence[int] = ()) -> Literal | None:
@@ -77,13 +79,15 @@ def read_literally(tree: Phrase, scene: Scene, history: Sequence[int] = ()) -> L
     except Unread:
         return None
     ids = scene.layout.ids
+    placed = told.kind != "place" or any(piece.phrases for piece in told.destination)
     if told.sets:
         options = [tuple(ids[i] for i in np.flatnonzero(mask)) for mask, _ in told.sets]
-        return Literal(tuple(dict.fromkeys(options)), kind=told.kind, rival=rival, vague=vague, plural=True)
+        return Literal(tuple(dict.fromkeys(options)), kind=told.kind, rival=rival, vague=vague, plural=True,
+                       placed=placed)  # fmt: skip
     members = np.flatnonzero(told.target > HOLDS)
     if not len(members):
         return None
-    return Literal(tuple((ids[i],) for i in members), kind=told.kind, rival=rival, vague=vague)
+    return Literal(tuple((ids[i],) for i in members), kind=told.kind, rival=rival, vague=vague, placed=placed)
 
 
 def _check(destination: Sequence[Phrase], target: Array, reader: LiteralReader) -> Rival | None:
@@ -93,7 +97,6 @@ def _check(destination: Sequence[Phrase], target: Array, reader: LiteralReader) 
         Missing: something that it speaks of is not there.
     """
     rival: Rival | None = None
-    alike = len(reader.layout.colors) < 2
     if any(leaf.text in _FORMING for piece in destination for leaf in piece.leaves):
         return None
     for piece in destination:
@@ -117,10 +120,23 @@ def _check(destination: Sequence[Phrase], target: Array, reader: LiteralReader) 
             itself = set(np.flatnonzero(target > HOLDS)) == set(reader.members(meant.chosen))
             if leads and not ranks and meant.chosen and itself:
                 raise Missing(f"{phrase.text!r} is what is to be moved itself", FIRM)
-            told = (noun.colors and not noun.modifiers or not alike) and phrase.leaves[0].text in _POINTING
-            if told and not meant.chosen and not meant.plural and rival is None:
-                rival = Rival(phrase.text, tuple(reader.layout.ids[i] for i in reader.members(meant.pool)))
+            if rival is None and phrase.leaves[0].text in _POINTING:
+                rival = _left_open(phrase, noun, meant, target, reader)
     return rival
+
+
+def _left_open(phrase: Phrase, noun: Noun, meant: Meant, target: Array, reader: LiteralReader) -> Rival | None:
+    """The things of which one is meant by a definite noun that does not tell which."""
+    if meant.chosen or meant.plural or meant.sort != "things":
+        return None
+    alike = len(reader.layout.colors) < 2
+    if alike and not noun.colors:
+        return None  # people speak loosely of places where nothing else tells things apart
+    spoken_of = reader.context is not None and int((reader.context > HOLDS).sum()) == 1
+    if spoken_of and not noun.colors and not noun.modifiers:
+        return None
+    members = [i for i in reader.members(meant.pool) if target[i] <= HOLDS]
+    return Rival(phrase.text, tuple(reader.layout.ids[i] for i in members)) if len(members) > 1 else None
 
 
 def _measures(noun: Noun) -> bool:

@@ -36,11 +36,12 @@ class Clue:
     Attributes:
         relation: "own", from where it stands; "offset", from the references; "on" one of them; "near"; "touch";
             "between"; "align", in a row or column with them; "in" a set of them; "toward"; "place", of the table;
-            "tower", on anything; "make", so that an arrangement comes about.
+            "surface", on the table; "tower", on anything; "make", so that an arrangement comes about.
         nouns: what it relates to; none for what stands by itself.
         offsets: directions and lengths from there.
         axis: "row" or "column" of what is aligned, or "" where either may be.
         strict: whether "directly" is said.
+        height: of the tower that comes about, in blocks, or 0 where that is not said.
     """
 
     relation: str
@@ -48,3 +49,4 @@ class Clue:
     offsets: tuple[Offset, ...] = ()
     axis: str = ""
     strict: bool = False
+    height: int = 0

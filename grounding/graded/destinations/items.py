@@ -7,10 +7,11 @@ from collections.abc import Iterable
 from dataclasses import dataclass, replace
 
 from grounding.graded import words as w
+from grounding.graded.destinations.vocabulary import STORIES
 from grounding.graded.nouns import Noun, read_noun
 from grounding.language.lexicon import meanings
 from grounding.language.tree import Phrase, Word
-from grounding.symbols import Cardinal
+from grounding.symbols import Cardinal, Ordinal
 
 _DECIMAL = re.compile(r"\d+\.\d+|\.\d+")
 _AMOUNTS = {"half": 0.5, "quarter": 0.25, "couple": 2.0, "few": 2.5, "several": 3.0, "twice": 2.0, "once": 1.0}
@@ -19,7 +20,6 @@ _DEFINITE = frozenset("the this that these those both all".split())
 _MOVING = frozenset("place put move set stack position lay slide shift".split())
 _RESULTS = frozenset("so until making creating forming where such".split())
 _RELATING = frozenset("between on onto of touching touches touch next with by beside near against atop among".split())
-_STORIES = frozenset("story storey stories floor level".split())
 _OWN = frozenset("its it's their".split())
 
 
@@ -73,6 +73,19 @@ def number(text: str) -> float | None:
     if _DECIMAL.fullmatch(text):
         return float(text)
     return next((float(s.value) for s in meanings(text) if isinstance(s, Cardinal)), None)
+
+
+def ordinal(text: str) -> int:
+    """The rank that a word says, from 1; 0 where it says none."""
+    return next((s.value for s in meanings(text) if isinstance(s, Ordinal) and s.value > 0), 0)
+
+
+def stories(noun: Noun) -> int:
+    """How high the tower is that a noun asks for, in blocks; 0 where it does not say."""
+    if noun.number:
+        return noun.number
+    counts = (number(m.leaves[1].text) for m in noun.modifiers if m.leaves[0].text == "of" and len(m.leaves) > 1)
+    return int(next((value for value in counts if value), 0))
 
 
 def _word(word: Word) -> Item:
@@ -235,7 +248,7 @@ def _measure(phrase: Phrase, noun: Noun, items: list[Item]) -> None:
 def _arrangement(phrase: Phrase, noun: Noun, items: list[Item]) -> None:
     """Rows and columns are places by themselves: what else is said stands beside them."""
     texts = [leaf.text for leaf in phrase.leaves]
-    if texts in (["line"], ["row"], ["column"]) or "same" in texts[:2] or _STORIES & set(texts[:4]):
+    if texts in (["line"], ["row"], ["column"]) or "same" in texts[:2] or _counts_stories(phrase):
         _spread(phrase, items)
         return
     made = not noun.definite and (not noun.modifiers or texts[0] in ("a", "an"))
@@ -254,11 +267,21 @@ def _arrangement(phrase: Phrase, noun: Noun, items: list[Item]) -> None:
         _enter(modifier, items)
 
 
+def _counts_stories(phrase: Phrase) -> bool:
+    """Whether a noun phrase is a story itself, not a building of so many: "the third story", "three stories"."""
+    while phrase.phrases and phrase.children[0] is phrase.phrases[0]:
+        phrase = phrase.phrases[0]
+    words = [word.text for word in phrase.words]
+    return bool(words) and words[-1] in STORIES
+
+
 def _part(phrase: Phrase, noun: Noun, items: list[Item]) -> None:
     """A place of the table is one item; one of a thing says a direction from it."""
     owner = next((p for m in noun.modifiers for p in m.phrases if m.tag == "PP" and p.tag == "NP"), None)
     if owner is not None and read_noun(owner).head not in ("table", "other"):
         _spread(phrase, items)
+    elif noun.agent is not None and noun.place == "side" and not (noun.directions or noun.middle):
+        items.append(Item("place", phrase.text, noun=replace(noun, directions=("front",))))
     elif noun.directions or noun.middle or noun.place == "corner":
         items.append(Item("place", phrase.text, noun=noun))
     else:

@@ -15,7 +15,7 @@ from grounding.graded.destinations.ahead import (
     top_of_thing,
 )
 from grounding.graded.destinations.clues import Clue, Offset
-from grounding.graded.destinations.items import Item
+from grounding.graded.destinations.items import Item, ordinal, stories
 from grounding.graded.destinations.memory import Memory
 from grounding.graded.destinations.vocabulary import (
     ALIGNING,
@@ -27,12 +27,15 @@ from grounding.graded.destinations.vocabulary import (
     IN,
     LARGE,
     LINKING,
+    LINKS,
     ON,
     OPPOSITE,
     OWN,
     SIDEWAYS,
     SMALL,
     STACKING,
+    STORIES,
+    TALL,
     TOWARD,
 )
 from grounding.graded.nouns import Noun
@@ -76,6 +79,8 @@ class _Listener(Memory):
         elif item.kind == "length":
             if self.number is None and self.since[-1:] in (["a"], ["an"]) and not self.measured():
                 self._count(1.0, place)
+        elif item.kind == "counted" and [i.text for i in self.items[place + 1 : place + 2] if i.text in TALL]:
+            self.height = int(item.value)
         elif item.kind == "counted":
             if (
                 self.relation
@@ -152,6 +157,8 @@ class _Listener(Memory):
         elif text in TOWARD:
             self.relation = "toward"
         elif text in STACKING:
+            if text in STORIES and (self.number or self.rank):
+                self.height, self.number = int(self.number or self.rank), None
             self.relation, self.tower = "on", self.tower or text not in ("level",)
         elif w.is_beside(text) or text == "against":
             self.relation = self.relation or "near"
@@ -159,6 +166,7 @@ class _Listener(Memory):
             self.relation = "on"
         elif text in IN and not self.relation:
             self.relation = "in" if thing_follows(self.items, place) else ""
+        self.rank = ordinal(text) or (self.rank if text in LINKS else 0)
         if text in AXES:
             self.axis = AXES[text]
         elif text in SMALL:
@@ -322,6 +330,7 @@ class _Listener(Memory):
         self.forget()
 
     def _on_table(self) -> None:
+        self.surface |= self.relation == "on"
         edge = bool(FACES & set(self.since)) and "to" in self.since
         if self.offsets and self.offsets[-1].steps is None and (self.binds() or edge):
             names = tuple(name for offset in self.offsets for name in offset.names if offset.steps is None)
@@ -336,6 +345,7 @@ class _Listener(Memory):
         assert noun is not None
         if "tower" in noun.kinds:
             self.tower, self.relation = True, "on"
+            self.height = stories(noun) or self.height
         else:
             self.flush()
             self.clues.append(Clue("make", (noun,)))

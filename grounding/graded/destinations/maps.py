@@ -20,6 +20,8 @@ STRETCH = {1: 1.2, 2: 1.14}
 """How long people's steps are, by the number of axes along which they go [edges]: a step leaves a gap."""
 FROM_CENTRE, FROM_SIDE = 1.0, 0.45
 """How often so many blocks from something are counted from its centre, and how often between the sides."""
+OTHERWISE = 0.1  # how often a tower comes to be lower or higher than is said
+SET_DOWN = 1.0  # within how many edges something is set down where only the table is named
 BESIDE = {"": 1.3, "slightly": 0.8, "far": 4.0}  # how far from a reference [edges]
 
 
@@ -151,6 +153,20 @@ def on_top(places: Places, plan: Plan, anchors: Anchors) -> Array:
         away, _ = _from(places.points[above], plan, members)
         found[above, h] = (away.min(axis=0) < 0.3) / np.sqrt(len(members))
     return found
+
+
+def raising(places: Places, plan: Plan, height: int) -> Array:
+    """On a tower that then is so many blocks high, or on anything where that is 0, shape (p,)."""
+    found = np.asarray(places.support >= 0, dtype=float)
+    if height > 1:
+        found = found * np.where(plan.level[places.support] + 1 == height, 1.0, OTHERWISE)
+    return found
+
+
+def lying(places: Places, start: Array) -> Array:
+    """On the table, rather near where it is, shape (p,)."""
+    away = np.linalg.norm(places.points - start, axis=1)
+    return np.asarray((places.support < 0) * np.exp(-away / SET_DOWN))
 
 
 def amid(plan: Plan, anchors: Anchors, points: Array) -> Array:

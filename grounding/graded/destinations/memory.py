@@ -22,6 +22,9 @@ class Memory:
         extent: "slightly" or "far", of the next direction.
         strict: whether "directly" was said.
         tower: whether a stack comes about.
+        height: of that stack, 0 where it is not said.
+        surface: whether the table itself was named.
+        rank: the last ordinal, for what follows it ("the third" "story").
         owner: whose direction is next.
         face: directions of a side of what is moved.
         since: words since the last direction or thing.
@@ -38,6 +41,9 @@ class Memory:
         self.extent = ""
         self.strict = False
         self.tower = False
+        self.height = 0
+        self.surface = False
+        self.rank = 0
         self.owner: str | None = None
         self.face: tuple[str, ...] = ()
         self.since: list[str] = []
@@ -102,8 +108,10 @@ class Memory:
         if self.waiting:
             self.clues.append(Clue("near", self.waiting))
         self.flush()
-        if self.tower and not any(clue.relation == "on" for clue in self.clues):
-            self.clues.append(Clue("tower"))
+        if self.height > 1 or (self.tower and not any(clue.relation == "on" for clue in self.clues)):
+            self.clues.append(Clue("tower", height=self.height))
+        if self.surface and not self.clues:
+            self.clues.append(Clue("surface"))
         return self.clues
 
 

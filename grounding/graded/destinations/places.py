@@ -44,6 +44,7 @@ class Plan:
     Attributes:
         points: centres of the objects along "right" and "back", shape (n, 2).
         reach: how near the centre of a block may come to each, along one axis at least, shape (n,).
+        level: which block of a stack each is, counted from 1 at the table, shape (n,).
         axes: "right" and "back" in the world, shape (2, 2).
         edge: [m].
         centre: of the table, or of what surrounds the objects where there is none, shape (2,).
@@ -56,6 +57,7 @@ class Plan:
 
     points: Array
     reach: Array
+    level: np.ndarray
     axes: Array
     edge: float
     centre: Array
@@ -123,7 +125,10 @@ def _draw(scene: Scene, view: str) -> Plan:
     sizes = np.array([float(item.size[:2].max()) for item in scene.layout.things])
     reach = 0.5 * (1.0 + sizes / scene.edge)
     taken = _overlaps(spots, points, reach)
-    return Plan(points, reach, axes, scene.edge, centre, half, spots, prior, around, taken)
+    level = np.ones(scene.n, dtype=int)
+    for tower in scene.towers:
+        level[list(tower)] = np.arange(1, len(tower) + 1)
+    return Plan(points, reach, level, axes, scene.edge, centre, half, spots, prior, around, taken)
 
 
 def _grid(centre: Array, half: Array) -> Array:

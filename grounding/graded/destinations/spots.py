@@ -81,6 +81,18 @@ def find_spot(phrases: Iterable[Phrase], source: int, reader: Reader, whole: Phr
     return found
 
 
+def leads_off(phrases: Iterable[Phrase], source: int, reader: Reader) -> bool:
+    """Whether a way is told, with its lengths, that ends where there is no table."""
+    plan = lay_out(reader.scene, reader.view)
+    for clue in listen(line_up(phrases)):
+        shift = maps.Shift(clue.offsets, reader, plan.axes)
+        if clue.relation == "own" and shift.said.any():
+            end = plan.points[source] + shift.lengths
+            if bool((np.abs(end - plan.centre) > plan.half).any()):
+                return True
+    return False
+
+
 def agreed(spots: Sequence[tuple[Spot, float]], edge: float) -> Spot | None:
     """Of the places that several readings lead to, the one with most of them around it.
 
@@ -138,7 +150,7 @@ def settle(clues: list[Clue], source: int, reader: Reader) -> Spot | None:
 
 def _ground(clue: Clue, source: int, plan: Plan, reader: Reader) -> _Grounded | None:
     shift = maps.Shift(clue.offsets, reader, plan.axes)
-    if clue.relation in ("own", "tower", "place", "make"):
+    if clue.relation in ("own", "surface", "tower", "place", "make"):
         return _Grounded(clue, None, shift)
     anchors = find_anchors(clue.nouns, source, plan.points, reader) if clue.nouns else None
     if anchors is None:
@@ -153,7 +165,9 @@ def _map(g: _Grounded, places: Places, source: int, plan: Plan, reader: Reader) 
     points, relation = places.points, g.clue.relation
     if g.anchors is None:
         if relation == "tower":
-            return np.asarray(places.support >= 0, dtype=float)[:, None]
+            return maps.raising(places, plan, g.clue.height)[:, None]
+        if relation == "surface":
+            return maps.lying(places, plan.points[source])[:, None]
         if relation == "make":
             return shape_map(points, *completing(g.clue.nouns[0], source, plan))[:, None]
         if relation == "place":

@@ -4,6 +4,8 @@ ON = frozenset("on onto atop upon".split())
 STACKING = frozenset(
     "stack stacks stacked stacking tower story storey stories floor piled pile tops topping level".split()
 )
+STORIES = frozenset("story storey stories storeys floor floors level levels".split())
+TALL = frozenset("tall high".split())
 IN = frozenset("in into inside within at".split())
 ALIGNING = frozenset("align aligned aligns aligning line lined lines even parallel level flush same inline alignment "
                       "straight".split())  # fmt: skip

@@ -60,14 +60,29 @@ def given(verbs: list[str], parts: Parts, subjects: Sequence[Noun], nouns: Seque
 def gained(verbs: list[str], parts: Parts) -> list[Phrase]:
     """Where to, where somebody gives or receives: beside or onto what gains it, or as a further clause tells."""
     clauses = [p for phrase in (*parts.objects, *parts.rest) for p in phrase.preorder() if p.tag == "SBAR"][:1]
-    subjects = parts.named
-    if any(v in LOSING for v in verbs) or not subjects or not any(v in GAINING for v in verbs):
+    subjects, said = parts.named, set(verbs)
+    if not subjects and said & MAKING and parts.objects and read_noun(parts.objects[0]).head == "container":
+        where = [p for phrase in parts.rest for p in _without_source(phrase)]
+        return [*parts.objects, *where] if where else clauses
+    grown = bool(said & BEING) and bool(TAKING & {word.text for word in _leaves(parts)})
+    if said & LOSING or not subjects or not (said & GAINING or grown):
         return clauses
     told = [m for p in parts.objects[:1] for m in read_noun(p).modifiers if m.tag == "PP"]
     where = [p for p in (*told, *parts.rest) if p.tag == "PP" and not _BEGINNING & {w.text for w in p.leaves[:2]}]
     sided = any(directions(leaf.text) for p in where for leaf in p.leaves)
     onto = [] if sided else [Phrase("PP", (Word("on", "IN", 0), subjects[0]))]
     return [*onto, *(_of_owner(p, subjects[0]) for p in where), *clauses]
+
+
+def _without_source(phrase: Phrase) -> list[Phrase]:
+    """What a phrase says of a place: all of it, or what follows the thing that it brings there."""
+    first = phrase.leaves[0].text
+    if first not in _BEGINNING and first not in _BRINGING:
+        return [phrase]
+    noun = next((p for p in phrase.preorder() if p.tag == "NP" and read_noun(p).head in _THINGS), None)
+    if noun is None:
+        return []
+    return [p for p in phrase.preorder() if p.leaves[0].index == noun.leaves[-1].index + 1][:1]
 
 
 def _of_owner(phrase: Phrase, owner: Phrase) -> Phrase:

@@ -1,0 +1,23 @@
+"""Verbs that no treebank of instructions has, each with one that it has and that takes the same phrases with it."""
+
+from __future__ import annotations
+
+_LIKE = {
+    "moves": "ascends attaches climbs connects descends drags falls fills floats grows heads hides hops jumps "
+            "lands leaps meets nudges pulls pushes relocates repositions rests returns rises rolls scoots "
+            "shoots sits slips swings switches tips transfers transports travels tucks turns",
+    "takes": "acquires claims gets gives has lends lifts places positions puts receives sends swaps throws",
+    "touches": "approaches flanks follows hits hugs meets reaches shares",
+    "move": "attach connect drag drop hide hop join jump leap nudge pull push relocate reposition rest return "
+            "roll scoot sit slip switch tip transfer transport travel tuck turn",
+    "take": "claim gain gather give obtain pull retrieve scoop seize",
+    "create": "build complete construct",
+    "moved": "dragged dropped joined lifted nudged pulled pushed relocated repositioned shifted slid switched "
+            "transferred turned",
+}  # fmt: skip
+_KNOWN_AS = {verb: known for known, verbs in reversed(_LIKE.items()) for verb in verbs.split()}
+
+
+def kindred(word: str) -> str | None:
+    """A verb that stands where a new one stands, or None where the word is no such verb."""
+    return _KNOWN_AS.get(word)
