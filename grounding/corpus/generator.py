@@ -23,6 +23,7 @@ from grounding.corpus.format import Example
 from grounding.corpus.guided import Guide, graft
 from grounding.corpus.meaning import NotAnnotatable
 from grounding.corpus.sense import is_sensible
+from grounding.corpus.strides import leaves_table
 from grounding.corpus.treebank import LaidWorld, read_trees
 from grounding.corpus.variation import vary
 from grounding.corpus.wording import Topics, renumber, sample_tree, sentences_of
@@ -135,7 +136,9 @@ class _Making:
                 groundings, outcome = annotate(tree, layout, self.world.arrangements, history)
             except NotAnnotatable:
                 return None
-        if _actions(groundings[0]) > _MOST_ALTERNATIVES:
+        if _actions(groundings[0]) > _MOST_ALTERNATIVES or any(
+            leaves_table(tree, layout, symbol) for symbol in groundings[0] if isinstance(symbol, Action)
+        ):
             return None
         name = f"{self.world.name}-{len(self.found)}"
         text = written(tree, self.rng)
