@@ -13,8 +13,8 @@ from grounding.geometry.masks import indices_of, single
 from grounding.graded.nouns import Noun, read_noun
 from grounding.language.tree import Phrase
 from grounding.literal.choosing import side_of_all, toward
+from grounding.literal.colors import lacking
 from grounding.literal.places import names_of, says_unknown
-from grounding.literal.things import lacking
 from grounding.literal.values import FAINT, FIRM, Meant, Missing, Narrow, Order, Sided, Unread, Viewed
 from grounding.literal.wider import looks_stacked
 from grounding.numbers import spelled
@@ -38,7 +38,7 @@ def mean_arrangement(reader: LiteralReader, noun: Noun) -> Meant:
         Unread: it is beyond what is read literally.
         Missing: there is none.
     """
-    if says_unknown(noun) or noun.lone or noun.agent or noun.only:
+    if says_unknown(noun) or noun.lone or noun.agent:
         raise Unread(noun.text)
     number, colors, rest = noun.number, noun.colors, []
     for modifier in noun.modifiers:
@@ -177,6 +177,8 @@ def _chosen(reader: LiteralReader, noun: Noun, found: Found, rest: list[Phrase],
         raise Missing(f"there is no such {noun.kinds[0]} here")
     if index is not None and index > len(found):
         raise Missing(f"there is no {noun.kinds[0]} number {index} here; there are {spelled(len(found))}")
+    if noun.only and len(found) > 1:
+        raise Unread("not the only one")
     best = _best(found, key, index, noun)
     if best is not None and side and rest and side_of_all(scene, best[1], side) < -0.03:
         raise Unread("on the other side")

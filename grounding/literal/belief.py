@@ -12,7 +12,7 @@ from grounding.language.tree import Phrase
 from grounding.literal.presupposed import absences
 from grounding.literal.reader import LiteralReader
 from grounding.literal.texts import Literal, Rival, read_literally
-from grounding.literal.values import FAINT, Missing
+from grounding.literal.values import FAINT, FIRM, Missing
 from grounding.literal.wider import is_missing
 
 LIKELY = 0.1  # parses with a smaller share of the graded belief say nothing literally
@@ -86,6 +86,10 @@ def believe_literally(
         if literal is None:
             continue
         found.append(literal)
+        missing = literal.missing
+        if len(found) == 1 and missing is not None and missing.limit == FIRM and missing.noun is not None:
+            if _gone(missing, scene, graded, handled):
+                break  # no other parse makes up for a shape or a count that is not there
         if len(literal.options) == 1 and literal.placed:
             break
     best = min(found, key=lambda literal: (not literal.placed, len(literal.options) or len(parses) + scene.n),

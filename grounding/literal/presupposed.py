@@ -51,9 +51,10 @@ def absences(tree: Phrase, reader: LiteralReader) -> Iterator[Missing]:
 
 def _presupposes(noun: Noun) -> bool:
     """Whether a noun says that there is something."""
-    if not noun.definite or noun.conjoined or noun.other:
+    if not noun.definite or noun.conjoined:
         return False
-    return (noun.head == "container" and not noun.plural) or (noun.head == "block" and "the" in noun.text.split()[:1])
+    pointed = not {"the", "those", "these"}.isdisjoint(noun.text.split()[:2])  # "all the", "those three"
+    return (noun.head == "container" and not noun.plural) or (noun.head == "block" and pointed)
 
 
 def _beyond(noun: Noun) -> Missing | None:

@@ -16,7 +16,7 @@ from grounding.literal.choosing import half
 from grounding.literal.modifiers import modify
 from grounding.literal.places import mean_place
 from grounding.literal.things import mean_things
-from grounding.literal.values import Effect, Meant, Missing, Unread, as_array
+from grounding.literal.values import FIRM, Effect, Meant, Missing, Unread, as_array
 from grounding.world import Array
 
 
@@ -177,9 +177,9 @@ class LiteralReader:
         inside = mask_of(np.flatnonzero(pool > 0.5))
         try:
             return self._value(self.meant(noun, inside)).weights
-        except Missing:
+        except Missing as missing:
             if max(noun.ordinals, default=0) > inside.bit_count() > 0:
-                raise  # "there is a tower of four. take the fifth"
+                raise Missing(str(missing), FIRM) from missing  # "there is a tower of four. take the fifth"
             return np.zeros(self.scene.n)
 
     def everything_in(self, noun: Noun) -> Value:

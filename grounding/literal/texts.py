@@ -97,6 +97,7 @@ def _check(destination: Sequence[Phrase], target: Array, reader: LiteralReader) 
         Missing: something that it speaks of is not there.
     """
     rival: Rival | None = None
+    alike = len(reader.layout.colors) < 2
     if any(leaf.text in _FORMING for piece in destination for leaf in piece.leaves):
         return None
     for piece in destination:
@@ -109,7 +110,7 @@ def _check(destination: Sequence[Phrase], target: Array, reader: LiteralReader) 
             except Unread:
                 continue
             except Missing as missing:
-                if "tower" in noun.kinds:
+                if "tower" in noun.kinds and (alike or not missing.shape):
                     continue  # people call what is lower or higher by the same name, and look from above
                 agreement = held(noun, reader.scene, reader.views, reader.history)
                 if is_missing(missing, agreement, reader.scene, reader.views, reader.history):

@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from grounding.geometry.masks import indices_of, single
-from grounding.graded.colors import colored
 from grounding.graded.nouns import Noun
 from grounding.literal.choosing import (
     alone,
@@ -23,6 +22,7 @@ from grounding.literal.choosing import (
     to_center,
     toward,
 )
+from grounding.literal.colors import lacking
 from grounding.literal.places import OPPOSITE, names_of, says_unknown
 from grounding.literal.values import (
     FAINT,
@@ -38,13 +38,14 @@ from grounding.literal.values import (
     Unread,
     Viewed,
 )
-from grounding.numbers import listed, ranked, spelled
+from grounding.numbers import ranked, spelled
 from grounding.symbols import LAST
 
 if TYPE_CHECKING:
     from grounding.literal.reader import LiteralReader
 
 WITHIN = 3.0  # what is at most so many edges away may be called near where nothing is nearer
+_SOME = frozenset("the those these both all".split())  # "three red ones" are any three
 _LINES = ("row", "column", "tower")
 
 
@@ -129,16 +130,6 @@ def mean_things(reader: LiteralReader, noun: Noun, base: int | None = None) -> M
         raise Missing(f"nothing here is {noun.text!r}", FIRM if noun.plural and noun.colors else FAINT)
     reader.vague |= any(narrow.vague for narrow in said.narrows) or any(s.name == "center" for s in said.sides)
     return _several(reader, noun, said, names) if noun.plural else _one(reader, noun, said)
-
-
-def lacking(reader: LiteralReader, colors: tuple[str, ...]) -> Missing | Unread:
-    """What is to be said of colours that nothing has: that they are missing, unless another one is taken for them."""
-    scene = reader.scene
-    if not colors or colored(scene, colors).any():
-        return Unread(" ".join(colors))
-    there = sorted({item.color for item in scene.layout.things if item.color != "unknown"})
-    told = f"there is no {listed(colors, 'or')} block; what is here is {listed(there)}"
-    return Missing(told, FIRM, Noun(head="block", colors=colors, text=told))
 
 
 def _almost(reader: LiteralReader, pool: int, said: _Said) -> bool:
@@ -290,7 +281,8 @@ def _several(reader: LiteralReader, noun: Noun, said: _Said, names: tuple[str, .
     else:
         chosen = pool if pool.bit_count() == number else 0
     kind = said.kind if said.members and chosen == said.members[-1].mask else "group"
-    return Meant("things", chosen or pool, chosen, kind, True, number, noun.definite)
+    definite = noun.definite and not _SOME.isdisjoint(noun.text.split())
+    return Meant("things", chosen or pool, chosen, kind, True, number, definite)
 
 
 def _arranged(reader: LiteralReader, pool: int, number: int, name: str) -> tuple[str, int] | None:
