@@ -23,9 +23,9 @@ TOLD = 0.6  # an alternative is taken when it has such a share of what an answer
 MARGIN = 1.4
 TRUE = 0.04  # what describes all alternatives worse than this describes something else
 _LEFT = 0.4  # alternatives this much less likely than the best are left
-_YES = frozenset("yes yeah yep yup sure right correct exactly ok okay indeed affirmative true".split())
-_NO = frozenset("no nope nah neither none wrong incorrect negative not".split())
-_FILLING = frozenset(
+YES = frozenset("yes yeah yep yup sure right correct exactly ok okay indeed affirmative true".split())
+NO = frozenset("no nope nah neither none wrong incorrect negative not".split())
+FILLING = frozenset(
     "please thanks thank you i mean meant think want it it's its is that that's the this one ones of them these those "
     "either um uh hm well oh so number option block box cube a two three".split()
 )
@@ -65,16 +65,16 @@ def by_words(text: str, count: int, named: int) -> Answer | None:
         named: how many of them, the first ones, the question named.
     """
     words = words_of(text)
-    told = [word for word in words if word not in _FILLING]
+    told = [word for word in words if word not in FILLING]
     if any(words == words_of(said) for said in _FORGETTING):
         return Answer("forgotten")
-    if words and words[0] in _NO:
+    if words and words[0] in NO:
         further = words[1:]
-        while further and further[0] in _FILLING - {"the", "a", "block"} | _NO:
+        while further and further[0] in FILLING - {"the", "a", "block"} | NO:
             further = further[1:]
         rest = " ".join(further)
-        return Answer("none", tuple(range(named, count)), rest="" if set(further) <= _FILLING | _NO else rest)
-    agreed = _YES - {"right"} if named > 1 or {"the", "one"} & set(words) else _YES  # "the right one" is a side
+        return Answer("none", tuple(range(named, count)), rest="" if set(further) <= FILLING | NO else rest)
+    agreed = YES - {"right"} if named > 1 or {"the", "one"} & set(words) else YES  # "the right one" is a side
     if told and set(told) <= agreed:
         return Answer("chosen", (0,), 0.99) if named == 1 else Answer("first", tuple(range(count)))
     if told in (["both"], ["all"]):
@@ -84,9 +84,16 @@ def by_words(text: str, count: int, named: int) -> Answer | None:
 
 
 def by_offer(text: str, offers: Sequence[str]) -> Answer | None:
-    """The alternative that an answer names in the very words of the question; None where it uses others."""
+    """The alternative that an answer names in the very words of the question; None where it uses others.
+
+    Args:
+        text: the answer.
+        offers: the words of the alternatives; sets of things are told by a part of them: "the nearest one".
+    """
     said = _telling(text)
     same = [place for place, offer in enumerate(offers) if said and said == _telling(offer)]
+    if not same and said and all(" of " in offer for offer in offers):
+        same = [place for place, offer in enumerate(offers) if set(said) <= set(_telling(offer))]
     return Answer("chosen", (same[0],), 0.99) if len(same) == 1 else None
 
 
@@ -95,7 +102,7 @@ def _telling(text: str) -> list[str]:
     things = (ObjectColor, ObjectType)
     return [
         word for word in words_of(text)
-        if word not in _FILLING - {"two", "three"} and not any(isinstance(s, things) for s in meanings(word))
+        if word not in FILLING - {"two", "three"} and not any(isinstance(s, things) for s in meanings(word))
     ]  # fmt: skip
 
 

@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 
 from grounding.answers import Answer, by_description, by_offer, by_words, commands, words_of
 from grounding.course import Course, world_after
+from grounding.denying import denies, others_than, points_at_other
 from grounding.dialogue import LISTED, MOST
 from grounding.distinguishing import Describer
 from grounding.errors import LanguageError
@@ -18,6 +19,7 @@ from grounding.result import GroundedAction, Grounding
 from grounding.world import World
 
 PATIENCE = 2  # answers that do not help are borne so often, then the question is dropped
+_BARE = (["no"], ["nope"], ["nah"])  # answers that tell nothing where two are named
 
 
 @dataclass(frozen=True, eq=False)
@@ -59,6 +61,7 @@ class Conversation:
         self._history = tuple(history)
         self._before: World | None = None
         self._pending: Pending | None = None
+        self._latest: tuple[Course, Understanding] | None = None  # what was done last, before it was
 
     @property
     def world(self) -> World:
@@ -94,7 +97,7 @@ class Conversation:
         if moved:
             self._before = self._world
         self._world = world
-        self._pending = None
+        self._pending = self._latest = None
 
     def say(self, text: str) -> Grounding:
         """Understand what is said: an instruction, or the answer to the question that is open.
@@ -117,8 +120,18 @@ class Conversation:
     # -- instructions ----------------------------------------------------------------------------------------------
 
     def _instructed(self, text: str) -> Grounding:
+        if self._latest is not None and denies(text):
+            return self._taken_back(text, *self._latest)
         course = self._grounder.course(text, self._world, self._history, self._before)
-        return self._taken(self._grounder.follow(course))
+        followed = self._grounder.follow(course)
+        result = self._taken(followed)
+        self._remember(course, followed.understanding, result)
+        return result
+
+    def _remember(self, course: Course, understanding: Understanding | None, result: Grounding) -> None:
+        """What was done, in case that it was not what was meant."""
+        done = result.outcome == "grounded" and len(course.steps) == 1 and understanding is not None
+        self._latest = (course, understanding) if done and understanding is not None else None
 
     def _taken(self, followed: Followed) -> Grounding:
         """Remembers what follows from an answer: what is done, or what is asked."""
@@ -128,6 +141,21 @@ class Conversation:
         elif followed.last is not None and followed.last.outcome == "ambiguous" and followed.understanding is not None:
             self._pending = _pending(followed.course, followed.understanding, followed.last)
         return result
+
+    def _taken_back(self, text: str, course: Course, understanding: Understanding) -> Grounding:
+        """What was done was not what was meant: it is as if it had not been done, and the others are left."""
+        denied = set(self._history[len(course.history) :])
+        self._latest = None
+        self._world, self._history, self._before = course.world, course.history, course.before
+        scene = understanding.scene
+        options = others_than(understanding.options(), denied, scene.layout)
+        if not options:
+            why = "nothing else was understood; say in other words what is meant"
+            return Grounding(text, "not_understood", explanation=why)
+        pending = Pending(course, understanding, options, min(NAMED, len(options)))
+        if points_at_other(text, options, denied, scene.layout):
+            return replace(self._decided(pending, understanding.action(options[0])), instruction=text)
+        return self._ask(text, pending, "another one is meant")
 
     def _done(self, actions: Iterable[GroundedAction]) -> None:
         for action in actions:
@@ -188,6 +216,8 @@ class Conversation:
             names = tuple(dict.fromkeys(name for option in left for name in option.objects))
             option = Pooled(names, answer.probability, left[0].kinds)
             return self._decided(pending, pending.understanding.action(option))
+        if answer.kind == "none" and not left and pending.named > 1 and words_of(text) in _BARE:
+            return self._again(text, pending, "yes or no does not tell which; name one, or say it in other words")
         if answer.kind == "none" and not left:
             self._pending = None
             why = "none of the things that could be meant is; say it in other words"
@@ -214,7 +244,9 @@ class Conversation:
         if pending.where:
             asked = "Where shall I put it?"
         elif pending.named == 1 and len(options) > 1:
-            asked = question(listed[:1], describer)
+            alone = len(listed[0].objects) == 1
+            named = None if alone else offered([action.objects for action in listed], describer, 0)[0]
+            asked = question(listed[:1], describer) if named is None else f"Do you mean {named}?"
         else:
             asked = question(listed, describer, len(options) - len(listed))
         count = len(options)
@@ -267,7 +299,9 @@ class Conversation:
             option = Pooled(action.objects, action.probability, (("place", 1.0),))
             return self._ask(step.text, Pending(pending.course, step, (option,), 1, where=True))
         answer = Grounding(step.text, "grounded", (action,), phrases=step.decided().phrases)
-        return self._taken(self._grounder.follow(pending.course.after(answer)))
+        result = self._taken(self._grounder.follow(pending.course.after(answer)))
+        self._remember(pending.course, step, result)
+        return result
 
 
 def _pending(course: Course, understanding: Understanding, asked: Grounding) -> Pending | None:

@@ -65,7 +65,8 @@ class Course:
             why = f"step {number} of {len(self.steps)}, {self.steps[number - 1][0].tree.text!r}: {last.explanation}"
             return replace(last, instruction=self.text, explanation=why, unknown_words=words, mended=mended,
                            phrases=_joined(self.steps, found, ()))  # fmt: skip
-        return Grounding(self.text, "grounded", actions, unknown_words=words, mended=mended,
+        told = "; ".join(dict.fromkeys(one.explanation for one in found if one.explanation))
+        return Grounding(self.text, "grounded", actions, explanation=told, unknown_words=words, mended=mended,
                          phrases=_joined(self.steps, found, actions))  # fmt: skip
 
 

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+import numpy as np
+
 from grounding.geometry.layout import Layout
 from grounding.geometry.masks import single
 from grounding.numbers import listed, spelled
@@ -11,6 +13,7 @@ from grounding.numbers import listed, spelled
 _EXTREMES = {
     "left": "leftmost", "right": "rightmost", "near": "nearest", "far": "farthest", "center": "middle",
 }  # fmt: skip
+_APART = 0.5  # sets whose middles are less apart are not told by where they lie [edges]
 _RANKS = ("", "", "second ", "third ", "fourth ", "fifth ", "sixth ")
 
 
@@ -46,6 +49,34 @@ def name_object(layout: Layout, object_id: str, among: Sequence[str] = ()) -> st
             if layout.nth(rivals, direction, rank) == 1 << index:
                 return f"the {_RANKS[rank]}{word} {noun}"
     return f"the {noun} {object_id}"
+
+
+def told_by_side(layout: Layout, sets: Sequence[Sequence[str]]) -> tuple[str, ...]:
+    """Words that tell sets of objects apart by where their middles lie as the robot sees them: "leftmost", "nearest".
+
+    Args:
+        layout: the world.
+        sets: ids of each, at least two.
+
+    Returns:
+        a word for each set; none where their middles coincide.
+    """
+    best: tuple[float, tuple[str, ...]] = (_APART * layout.edge, ())
+    for first, last in (("left", "right"), ("near", "far")):
+        middles = np.array([layout.mean_extent(layout.mask(names), first) for names in sets])
+        order = np.argsort(-middles, kind="stable")
+        gap = float(-np.diff(middles[order]).max())  # of those that are closest to each other
+        if gap > best[0]:
+            words = [_EXTREMES[first], *_RANKS[2:], _EXTREMES[last]]
+            best = (gap, tuple(_side(int(place), len(sets), words) for place in np.argsort(order, kind="stable")))
+    return best[1]
+
+
+def _side(place: int, count: int, words: Sequence[str]) -> str:
+    """The word for one of several that are ordered along a direction."""
+    if place in (0, count - 1):
+        return words[0] if place == 0 else words[-1]
+    return "middle" if count == 3 else f"{words[place]}{words[0]}"
 
 
 def name_objects(layout: Layout, ids: Sequence[str], among: Sequence[str] = ()) -> str:

@@ -27,6 +27,7 @@ from grounding.pooling import Pooled
 from grounding.readings import Reading, readings
 from grounding.result import GroundedAction, Grounding
 from grounding.returning import returned, returns
+from grounding.standpoint import unknown_side
 from grounding.steps import Step, split
 from grounding.symbols import ObjectColor
 from grounding.unanswered import open_options
@@ -82,6 +83,8 @@ class Understanding:
         result = decide(self.text, self.readings, self.scene, parse.unknown_words, self.graded, self.literal)
         if returns(tree):
             result = returned(result, self.scene.layout.world, before)
+        if result.outcome == "grounded" and not result.explanation:
+            result = replace(result, explanation=unknown_side(tree, self.scene.layout.world))
         return replace(result, mended=(*parse.mended, *self._recolored(tree)))
 
     def _recolored(self, tree: Phrase) -> list[tuple[str, str]]:

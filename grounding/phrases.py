@@ -117,8 +117,7 @@ def _walked(reading: Reading, symbols_of) -> tuple[PhraseGrounding, ...]:  # typ
 
     def visit(phrase: Phrase, hypothesis: Hypothesis, depth: int) -> None:
         symbols = sorted(symbols_of(phrase, hypothesis), key=lambda item: (-item[1], symbol_key(item[0])))
-        span = (phrase.leaves[0].index, phrase.leaves[-1].index)
-        found.append(PhraseGrounding(phrase.text, phrase.tag, span, depth, tuple(symbols)))
+        found.append(PhraseGrounding(phrase.text, phrase.tag, phrase.span, depth, tuple(symbols)))
         for child, part in zip(phrase.phrases, hypothesis.children, strict=True):
             visit(child, part, depth + 1)
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from grounding.describing import name_objects
+from grounding.describing import name_objects, told_by_side
 from grounding.distinguishing import Describer, Description, listed_descriptions
 from grounding.numbers import listed, spelled
 from grounding.result import Destination, GroundedAction
@@ -67,7 +67,22 @@ def offered(meant: Sequence[tuple[str, ...]], describer: Describer, more: int) -
         more: how many alternatives there are besides.
     """
     rivals = () if more else tuple(dict.fromkeys(name for objects in meant for name in objects))
-    return [_description(objects, describer, rivals).text for objects in meant[:NAMED]]
+    return [description.text for description in _descriptions(meant[:NAMED], describer, rivals)]
+
+
+def _descriptions(
+    named: Sequence[tuple[str, ...]], describer: Describer, rivals: Sequence[str]
+) -> list[Description]:
+    """Descriptions of alternatives; sets that are called alike are told apart by where they lie."""
+    found = [_description(objects, describer, rivals) for objects in named]
+    texts = [description.text for description in found]
+    layout = describer.scene.layout
+    for text in dict.fromkeys(texts):
+        alike = [place for place, other in enumerate(texts) if other == text]
+        sides = told_by_side(layout, [named[place] for place in alike]) if len(alike) > 1 else ()
+        for place, side in zip(alike, sides, strict=False):
+            found[place] = Description(text.replace("the ", f"the {side} ", 1), "")
+    return found
 
 
 def _description(names: Sequence[str], describer: Describer, rivals: Sequence[str]) -> Description:
@@ -83,5 +98,4 @@ def _which(meant: Sequence[tuple[str, ...]], describer: Describer, more: int) ->
     sizes = {len(objects) for objects in meant}
     if sizes != {1} and len(sizes) == 1 and len(meant) > NAMED:
         return f"Which {spelled(sizes.pop())} of them do you mean?"
-    found = [_description(objects, describer, rivals) for objects in named]
-    return f"Do you mean {listed_descriptions(found, rest)}?"
+    return f"Do you mean {listed_descriptions(_descriptions(named, describer, rivals), rest)}?"

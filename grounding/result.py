@@ -97,7 +97,7 @@ class Grounding:
         actions: what to do, in order; empty unless `outcome` is "grounded".
         alternatives: other readings, the likeliest first.
         question: that tells the alternatives apart, where the outcome is "ambiguous".
-        explanation: one sentence on the outcome, for people.
+        explanation: one sentence on the outcome, for people; beside an answer, what it had to assume.
         unknown_words: words that are in neither lexicon nor treebank.
         milliseconds: how long it took.
         phrases: every phrase of the parse that was taken, outer ones first.

@@ -117,4 +117,4 @@ class TracedReader(Reader):
 
 def span_of(phrase: Phrase) -> Span:
     """The places of a phrase's first and last words."""
-    return phrase.leaves[0].index, phrase.leaves[-1].index
+    return phrase.span

@@ -46,7 +46,7 @@ class Beam:
         span: no constituent has more words than this.
     """
 
-    width: float = 7.0
+    width: float = 7.5
     size: int = 6
     slack: int = 1
     span: int = 40

@@ -13,6 +13,7 @@ from dataclasses import astuple, dataclass
 import numpy as np
 
 from grounding.language.parser import Parser
+from grounding.language.possessives import unfold
 from grounding.language.tree import Phrase, Word
 
 
@@ -106,8 +107,8 @@ def score(parser: Parser, trees: Iterable[Phrase], k: int = 4) -> Score:
         k: how many readings count as "among".
     """
     totals: Counter[str] = Counter()
-    for gold in trees:
-        parses = parser.parse(written(gold), k)
+    for tree in trees:
+        parses, gold = parser.parse(written(tree), k), unfold(tree)
         spans = brackets(gold)
         guesses = [brackets(parse.tree) for parse in parses]
         same = [parse.tree == gold for parse in parses]

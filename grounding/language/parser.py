@@ -16,6 +16,7 @@ from grounding.language.forest import Node
 from grounding.language.grammar import Grammar
 from grounding.language.kindred import kindred
 from grounding.language.lexicon import known_words, meanings
+from grounding.language.possessives import unfold
 from grounding.language.rewriting import rewrite
 from grounding.language.rules import Rules
 from grounding.language.sentences import part_commands
@@ -48,7 +49,8 @@ class Parse:
 
     Attributes:
         tree: the phrase tree, without punctuation; a phrase 'FRAG' over the pieces where the grammar does not cover the
-            text, and over the sentences where there are several. A word that had to be skipped has the tag 'X'.
+            text, and over the sentences where there are several. A word that had to be skipped has the tag 'X'. What
+            belongs to something stands before it, see `grounding.language.possessives`.
         log_probability: of the tree with its words.
         probability: among the readings returned with this one; they sum to 1.
         unknown_words: words that neither the grammar's treebank nor the lexicon has, in order; mended ones not.
@@ -129,7 +131,8 @@ class Parser:
         tokens = [token for sentence in sentences for token in sentence]
         total = sum(exp(score - trees[0][1]) for _, score in trees)
         return tuple(
-            Parse(tree, score, exp(score - trees[0][1]) / total, self._unknown(tree), whole, _mended(tokens, tree))
+            Parse(unfold(tree), score, exp(score - trees[0][1]) / total, self._unknown(tree), whole,
+                  _mended(tokens, tree))
             for tree, score in trees
         )
 

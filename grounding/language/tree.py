@@ -66,6 +66,12 @@ class Phrase:
         """The words below this phrase, joined by blanks."""
         return " ".join(leaf.text for leaf in self.leaves)
 
+    @cached_property
+    def span(self) -> tuple[int, int]:
+        """The places in the sentence of the first and the last word below this phrase."""
+        places = [leaf.index for leaf in self.leaves]
+        return min(places), max(places)
+
     def preorder(self) -> Iterator[Phrase]:
         """This phrase, then everything below it, parents before children."""
         yield self
