@@ -15,6 +15,7 @@ from grounding.literal.texts import Literal, Rival, read_literally
 from grounding.literal.values import FAINT, FIRM, Missing
 from grounding.literal.wider import is_missing
 
+FAMILIAR = 16  # a text of more words may well be misunderstood where only places tell things apart
 LIKELY = 0.1  # parses with a smaller share of the graded belief say nothing literally
 
 SHARP = 3000.0
@@ -76,6 +77,7 @@ def believe_literally(
     index = scene.layout.index
     handled = tuple(index[name] for name in history if name in index)
     shares = graded.shares() or {0: 1.0}
+    words = len(parses[0].tree.leaves)
     found: list[Literal] = []
     for place in sorted(shares, key=lambda place: -shares[place]):
         if shares[place] < LIKELY:
@@ -87,9 +89,9 @@ def believe_literally(
             continue
         found.append(literal)
         missing = literal.missing
-        if len(found) == 1 and missing is not None and missing.limit == FIRM and missing.noun is not None:
-            if _gone(missing, scene, graded, handled):
-                break  # no other parse makes up for a shape or a count that is not there
+        sharp = missing is not None and missing.limit == FIRM and missing.noun is not None
+        if missing is not None and len(found) == 1 and sharp and _gone(missing, words, scene, graded, handled):
+            break  # no other parse makes up for a shape or a count that is not there
         if len(literal.options) == 1 and literal.placed:
             break
     best = min(found, key=lambda literal: (not literal.placed, len(literal.options) or len(parses) + scene.n),
@@ -97,23 +99,27 @@ def believe_literally(
     if best is None:
         return SILENT
     if best.missing is not None:
-        return LiteralBelief(missing=str(best.missing)) if _gone(best.missing, scene, graded, handled) else SILENT
+        gone = _gone(best.missing, words, scene, graded, handled)
+        return LiteralBelief(missing=str(best.missing)) if gone else SILENT
     share = 1.0 / len(best.options)
     options = tuple(((best.kind, names), share) for names in best.options)
     alike = len(scene.layout.colors) < 2 and graded.truth >= FAINT
     return LiteralBelief(options, rival=best.rival, vague=best.vague, alike=alike, plural=best.plural)
 
 
-def _gone(missing: Missing, scene: Scene, graded: GradedBelief, history: tuple[int, ...]) -> bool:
+def _gone(missing: Missing, words: int, scene: Scene, graded: GradedBelief, history: tuple[int, ...]) -> bool:
     """Whether what is literally missing is so for whom else may speak, and in a wider sense."""
     views = {reading.reader.view: None for reading in graded.readings} or {ROBOT: None}
     agreement = max([graded.truth, *(r.truth for r in graded.readings if r.reader.view == SPEAKER)])
+    alike = len(scene.layout.colors) < 2
+    if alike and words > FAMILIAR and missing.limit != FIRM:
+        return False  # a long text that agrees with nothing is misunderstood rather than wrong
     return is_missing(missing, agreement, scene, views, history)
 
 
 def _silent(tree: Phrase, scene: Scene, graded: GradedBelief, history: tuple[int, ...]) -> LiteralBelief:
     """What is believed of a text that is not read as a whole."""
     for missing in absences(tree, LiteralReader(scene, history)):
-        if _gone(missing, scene, graded, history):
+        if _gone(missing, len(tree.leaves), scene, graded, history):
             return LiteralBelief(missing=str(missing))
     return SILENT
