@@ -22,7 +22,7 @@ from grounding.questions import question, where, which_place
 from grounding.readings import Reading
 from grounding.result import Destination, GroundedAction, Grounding
 from grounding.symbols import Action, Region, symbol_key
-from grounding.unanswered import open_options, unanswered
+from grounding.unanswered import nothing_before, open_options, unanswered
 
 ANSWERED = 0.37  # an answer is given when it is so likely
 MARGIN = 1.6  # and so many times likelier than the next one
@@ -95,6 +95,9 @@ def decide(
         if missing is not None:
             words = tuple(dict.fromkeys((*words, *unknown_things(tree, scene.layout))))
             return Grounding(text, "no_referent", explanation=missing, unknown_words=words, phrases=phrases)
+    hollow = nothing_before(tree) if graded is None else None
+    if hollow is not None:
+        return Grounding(text, hollow.outcome, explanation=hollow.explanation, unknown_words=words, phrases=phrases)
     believed = _by_factors(found, scene) if graded is None else _pooled(found, scene, graded, literal)
     if believed is None:
         believed = _open(found, scene)

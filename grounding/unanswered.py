@@ -56,14 +56,26 @@ def unanswered(tree: Phrase, scene: Scene, unknown: tuple[str, ...]) -> Unanswer
         return Unanswered("no_referent", missing or f"nothing here is {hollow!r}", heard)
     pronouns = [leaf.text for leaf in tree.leaves if leaf.text in _PRONOUNS]
     if asks and pronouns:
-        why = f"I do not know what {pronouns[0]!r} is, as nothing was spoken of before; say which block"
-        return Unanswered("not_understood", why, heard)
+        return _points_nowhere(pronouns[0], heard)
     if asks:
         return Unanswered("not_understood", "say what to handle: which block, row or tower", heard)
     heard = tuple(dict.fromkeys((*unknown, *_strange_words(tree))))
     if heard:
         return Unanswered("not_understood", f"I do not understand {', '.join(repr(word) for word in heard)}", heard)
     return Unanswered("not_understood", "this asks for no pick, place or clear")
+
+
+def _points_nowhere(pronoun: str, heard: tuple[str, ...] = ()) -> Unanswered:
+    why = f"I do not know what {pronoun!r} is, as nothing was spoken of before; say which block"
+    return Unanswered("not_understood", why, heard)
+
+
+def nothing_before(tree: Phrase) -> Unanswered | None:
+    """What to say of a command for "it" before which the text names nothing; None for other texts."""
+    first = next((p for p in tree.preorder() if p.tag == "NP"), None)
+    if first is None or len(first.leaves) != 1 or first.leaves[0].text not in _PRONOUNS:
+        return None
+    return _points_nowhere(first.leaves[0].text) if _asks(tree) else None
 
 
 def open_options(tree: Phrase, scene: Scene) -> tuple[tuple[str, tuple[str, ...]], ...]:

@@ -19,6 +19,7 @@ from grounding.world import Array
 
 HOLDS = 0.5
 _BACK = frozenset("it its itself them their".split())
+_ON = frozenset("on onto atop top".split())
 _POINTING = frozenset("the that this".split())
 _FORMING = frozenset("form forms make makes making create creates become becomes forming".split())
 
@@ -105,6 +106,8 @@ def _check(destination: Sequence[Phrase], target: Array, reader: LiteralReader) 
             noun = read_noun(phrase)
             if any(leaf.text in _BACK for leaf in phrase.leaves) or (_measures(noun) and not related):
                 continue
+            if _stacks(piece, noun) and not reader.scene.towers:
+                raise Missing("nothing here is stacked: there is no tower to put it on", FIRM)
             try:
                 meant = reader.meant(noun)
             except Unread:
@@ -138,6 +141,12 @@ def _left_open(phrase: Phrase, noun: Noun, meant: Meant, target: Array, reader: 
         return None
     members = [i for i in reader.members(meant.pool) if target[i] <= HOLDS]
     return Rival(phrase.text, tuple(reader.layout.ids[i] for i in members)) if len(members) > 1 else None
+
+
+def _stacks(piece: Phrase, noun: Noun) -> bool:
+    """Whether something goes on top of a tower that is there already."""
+    tower = noun.kinds[:1] == ("tower",) and noun.definite and not noun.plural
+    return tower and bool(_ON & {leaf.text for leaf in piece.leaves[:3]})
 
 
 def _measures(noun: Noun) -> bool:

@@ -144,6 +144,8 @@ class _Listener(Memory):
             self.flush()
             self.since = []
             return
+        elif w.is_middle(text) and not self.offsets and not self.since and self._in_arrangement():
+            self.clues[-1] = replace(self.clues[-1], relation="between")  # "the circle's center"
         elif w.is_between(text) or w.is_middle(text):
             self.relation = "between"
         elif text in ALIGNING:
@@ -181,6 +183,11 @@ class _Listener(Memory):
         elif w.is_strict(text):
             self.strict = True
         self.since.append(text)
+
+    def _in_arrangement(self) -> bool:
+        """Whether what was named last is an arrangement near or in which something goes."""
+        last = self.clues[-1] if self.clues else None
+        return last is not None and last.relation in ("near", "in") and last.nouns[-1].head == "container"
 
     # -- directions ------------------------------------------------------------------------------------------------
 

@@ -209,7 +209,7 @@ def _exact(grounded: list[_Grounded], source: int, plan: Plan, reader: Reader) -
             for more in (0.0,) if own else (PITCH, 0.0):
                 reach = np.where(g.shift.said, steps + more * (steps > 0), typical)
                 found.append(centre + sign * (half + reach))
-        elif relation in ("between", "align"):
+        elif relation in ("between", "align", "in"):
             found.append(centre)
     points = np.concatenate(found)
     if len(found) > 2:

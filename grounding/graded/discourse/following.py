@@ -20,7 +20,7 @@ def read_text(tree: Phrase, reader: Reader) -> Told:
         _follow(clause, reader, told)
     if told.target is None and told.mentioned is not None:
         told.target, told.sets = told.mentioned, told.mentioned_sets
-    if told.target is None:
+    if told.target is None and not _moves_it(tree, told):
         _guess(tree, reader, told)
     told.whole = tree
     reader.context = told.mentioned
@@ -54,6 +54,13 @@ def _only_moves(tree: Phrase) -> bool:
     texts = {leaf.text for leaf in tree.leaves}
     moving = any(leaf.text in SETTING_OFF and leaf.tag in ("VB", "VBZ", "VBP", "VBG") for leaf in tree.leaves)
     return moving and not texts & set(HANDLING["pick"])
+
+
+def _moves_it(tree: Phrase, told: Told) -> bool:
+    """Whether a text only tells where "it" is to go: what it names there is not what goes."""
+    named = next((phrase for phrase in tree.preorder() if phrase.tag == "NP"), None)
+    pronoun = named is not None and read_noun(named).head == "pronoun" and len(named.leaves) == 1
+    return pronoun and any(piece.phrases for piece in told.destination)
 
 
 def _guess(tree: Phrase, reader: Reader, told: Told) -> None:
