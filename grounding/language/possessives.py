@@ -17,6 +17,12 @@ _OWNERS = {"its": "it", "their": "them"}
 _SIDES = frozenset(
     "left right front back top bottom upper lower north south east west northern southern eastern western".split()
 )
+_FAR = frozenset(
+    "far northeast northwest southeast southwest northeastern northwestern southeastern southwestern "
+    "topmost bottommost leftmost rightmost".split()
+)
+_PLACES = {"corner": "in", "edge": "at", "end": "at"}
+_BLOCKS = frozenset("block cube box brick piece one".split())
 _RANKS = frozenset("closest nearest closer nearer farthest furthest".split())
 _TOWARD = frozenset(("on", "to"))
 
@@ -28,11 +34,36 @@ def unfold(tree: Phrase) -> Phrase:
         tree: a parse; "the tower's top" is `(NP (POSP (NP (DT the) (NN tower)) (POS 's)) (NN top))` in it, "not the
             red one but the blue one" `(NP (CONJP (RB not) (NP ...) (CC but) (NP ...)))`.
     """
-    children = [unfold(child) if isinstance(child, Phrase) else child for child in tree.children]
+    parts = _placed(tree.children) if tree.tag == "NP" else tree.children
+    children = [unfold(child) if isinstance(child, Phrase) else child for child in parts]
     if tree.tag == "NP":
         children = _neighboring(_owned(_corrected(children)))
     same = len(children) == len(tree.children) and all(map(operator.is_, children, tree.children))
     return tree if same else Phrase(tree.tag, tuple(children))
+
+
+def _placed(children: tuple[Phrase | Word, ...]) -> tuple[Phrase | Word, ...]:
+    """The children of a noun phrase, a place before its noun after it: "the corner block of the square"."""
+    thing, modifier = children[0], children[-1]
+    if len(children) == 2 and isinstance(thing, Phrase) and thing.tag == "NP":
+        inner = _at_place(thing.children)
+        if inner is not None and isinstance(modifier, Phrase) and [word.text for word in modifier.words] == ["of"]:
+            block, at = inner
+            return block, Phrase("PP", (*at.words, Phrase("NP", (*at.phrases, modifier))))
+    return _at_place(children) or children
+
+
+def _at_place(children: Sequence[Phrase | Word]) -> tuple[Phrase, Phrase] | None:
+    """A block and where it is, of words like "the far left corner block"; None of others."""
+    words = [child for child in children if isinstance(child, Word)]
+    if len(words) < len(children) or len(words) < 2 or words[-1].text not in _BLOCKS or words[-2].text not in _PLACES:
+        return None
+    *before, place, noun = words
+    sides = [word for word in before if word.text in _SIDES | _FAR]
+    block = Phrase("NP", (*(word for word in before if word not in sides), noun))
+    the = Word("the", "DT", place.index)
+    at = Word(_PLACES[place.text], "IN", place.index)
+    return block, Phrase("PP", (at, Phrase("NP", (the, *sides, place))))
 
 
 def _corrected(children: list[Phrase | Word]) -> list[Phrase | Word]:

@@ -40,6 +40,25 @@ def _middle_of(reader: Reader, heard: Heard, noun: Noun, value: Value) -> list[E
     return [Restriction(value.weights if whole is None else np.maximum(value.weights, between(reader, whole)))]
 
 
+def _outside(reader: Reader, heard: Heard, noun: Noun, value: Value) -> list[Effect] | None:
+    """For example "outside the row", "outside of the circle", within which something may lie that is no part of it."""
+    if "outside" not in heard.texts or value.kind not in _THINGS or not value.weights.any():
+        return None
+    if value.kind == "objects":
+        return [Restriction(1.0 - value.weights / scores.peak(value.weights))]
+    chances = [chance for _, chance in value.sets]
+    held = [_held(reader, mask, value.kinds) for mask, _ in value.sets]
+    return [Restriction(1.0 - np.average(held, axis=0, weights=chances))] if held else None
+
+
+def _held(reader: Reader, mask: np.ndarray, kinds: tuple[str, ...]) -> np.ndarray:
+    """What is part of a set, or within a ring."""
+    if "circle" not in kinds:
+        return mask
+    radii = np.linalg.norm(reader.scene.xy - reader.scene.xy[mask].mean(axis=0), axis=1)
+    return np.asarray(mask | (radii < radii[mask].mean()))
+
+
 def _apart(reader: Reader, heard: Heard, noun: Noun, value: Value) -> list[Effect] | None:
     """For example "separated from the others"."""
     if not w.is_apart(heard.texts) or value.kind not in _THINGS or not value.weights.any():
@@ -129,6 +148,7 @@ def _among(reader: Reader, heard: Heard, noun: Noun, value: Value) -> list[Effec
 
 BY_REFERENCE: tuple[ReferenceReading, ...] = (
     _middle_of,
+    _outside,
     _apart,
     _by_somebody,
     _toward,
