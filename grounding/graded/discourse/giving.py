@@ -38,6 +38,7 @@ def given(verbs: list[str], parts: Parts, subjects: Sequence[Noun], nouns: Seque
         return None
     subject = subjects[0]
     parted = bool(_WHOLES & set(subject.kinds)) and bool(said & PARTING) and _speaks_of_parts(parts)
+    parted = parted and not (nouns and nouns[0].distance)  # "its nearest block" is none of its parts
     if said & LOSING or parted:
         return _part_of(subject, parts, nouns or _owned(parts))
     if said & HAVING and len(subjects) > 1 and subjects[1].text.split(" ", 1)[0] in _OWN:
