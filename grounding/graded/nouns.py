@@ -334,7 +334,7 @@ class _Reading:
             said["plural"] = True
         kinds = self.kinds
         if head == "block" and said.get("size") == -1 and self.small:
-            said["size"], said["lone"], said["unstacked"] = 0, True, True  # "the small block", where others are stacked to a tall one
+            said["size"], said["lone"], said["unstacked"] = 0, True, True  # "the small block"
         if head == "block" and (said.get("plural") and self.stacked or (said.get("size") and not self.stacked)):
             head, kinds = "container", ("tower",)
             said["plural"] = False

@@ -83,8 +83,8 @@ def _upright(scene: Scene, pool: Array) -> bool:
 
 
 def _uneven(scene: Scene, pool: Array) -> bool:
-    """Whether something likely lies on something."""
-    return bool((scene.stacked & scene.clear & (pool > 0.3 * scores.peak(pool))).any())
+    """Whether something likely lies on something, and colours tell things apart; else people speak of places."""
+    return len(scene.layout.colors) > 1 and bool((scene.stacked & scene.clear & (pool > 0.3 * scores.peak(pool))).any())
 
 
 def _counted_off(scene: Scene, view: str, pool: Array, ordinal: int, kinds: tuple[str, ...]) -> Array:

@@ -7,7 +7,18 @@ from dataclasses import replace
 
 from grounding.graded.discourse.parts import Parts
 from grounding.graded.discourse.told import is_informative
-from grounding.graded.discourse.verbs import BEING, COMING, GAINING, HAVING, JOINED, LOSING, MAKING, PARTING, TAKING
+from grounding.graded.discourse.verbs import (
+    BEING,
+    COMING,
+    GAINING,
+    HANDLING,
+    HAVING,
+    JOINED,
+    LOSING,
+    MAKING,
+    PARTING,
+    TAKING,
+)
 from grounding.graded.nouns import Noun, read_noun
 from grounding.graded.words import directions
 from grounding.language.tree import Phrase, Word
@@ -18,6 +29,7 @@ _BEGINNING = frozenset("from using by with coming taking courtesy".split())
 _THINGS = ("block", "container", "place")
 _WHOLES = frozenset("tower row column group".split())
 _POINTING = frozenset("the that this".split())
+_MOVING = frozenset(HANDLING["place"])
 _OWN = frozenset("its one their".split())
 
 
@@ -38,10 +50,12 @@ def given(verbs: list[str], parts: Parts, subjects: Sequence[Noun], nouns: Seque
         return None
     subject = subjects[0]
     parted = bool(_WHOLES & set(subject.kinds)) and bool(said & PARTING) and _speaks_of_parts(parts)
+    parted = parted and not (nouns and nouns[0].distance)  # "its nearest block" is none of its parts
     if said & LOSING or parted:
         return _part_of(subject, parts, nouns or _owned(parts))
-    if said & HAVING and len(subjects) > 1 and subjects[1].text.split(" ", 1)[0] in _OWN:
-        return _part_of(subject, parts, subjects[1:])  # "the tower has its top move"
+    own = [noun for noun in (*subjects[1:], *nouns) if noun.head == "block" and noun.text.split(" ", 1)[0] in _OWN]
+    if said & HAVING and own and said & _MOVING:
+        return _part_of(subject, parts, own)  # "the tower has its top block move"
     following = {word.text for phrase in parts.rest[:1] for word in phrase.words}
     joined = bool(said & BEING) and bool(JOINED & (said | following))
     gains = bool(said & GAINING) and (subject.head in ("block", "container") or subject.place is not None)

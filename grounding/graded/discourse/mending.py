@@ -13,13 +13,14 @@ _DETERMINERS = frozenset("the a an this that these those its one two three".spli
 def mended(phrase: Phrase) -> Phrase:
     """A phrase whose torn parts are put together; the same one where nothing is torn."""
     children = tuple(mended(child) if isinstance(child, Phrase) else child for child in phrase.children)
-    children = _centred(_chosen(_owned(children)))
+    children = _centred(_chosen(_owned(children, within=phrase.tag != "S")))
     if phrase.tag == "SBAR" and len(children) == 2 and isinstance(children[1], Phrase) and children[1].tag == "NP":
         return Phrase("PP", children)
     if phrase.tag == "PP" and isinstance(children[0], Word) and children[0].text in LOOKING:
         return Phrase("VP", children)
-    unchanged = len(children) == len(phrase.children) and all(a is b for a, b in zip(children, phrase.children, strict=True))
-    return phrase if unchanged else Phrase(phrase.tag, children)
+    if len(children) == len(phrase.children) and all(a is b for a, b in zip(children, phrase.children, strict=True)):
+        return phrase
+    return Phrase(phrase.tag, children)
 
 
 def as_sentence(phrase: Phrase) -> Phrase:
@@ -45,11 +46,13 @@ def _centred(children: Children) -> Children:
     found: list[Phrase | Word] = []
     for child in children:
         before = found[-1] if found else None
-        if isinstance(child, Phrase) and isinstance(before, Phrase) and len(child.leaves) == 1:
-            if w.is_middle(child.leaves[0].text) and (joined := _with_centre(before, child.leaves[0])) is not None:
-                found[-1] = joined
-                continue
-        found.append(child)
+        joined = None
+        if isinstance(child, Phrase) and isinstance(before, Phrase) and w.is_middle(child.text):
+            joined = _with_centre(before, child.leaves[0])
+        if joined is None:
+            found.append(child)
+        else:
+            found[-1] = joined
     return tuple(found)
 
 
@@ -71,7 +74,7 @@ def _chosen(children: Children) -> Children:
 
 def _as_thing(phrase: Phrase) -> Phrase:
     words, rest = phrase.words, phrase.phrases
-    if phrase.tag != "PP" or len(words) != 3 or len(rest) != 1 or phrase.children[-1] is not rest[0] or rest[0].tag != "NP":
+    if phrase.tag != "PP" or len(words) != 3 or [child.tag for child in rest] != ["NP"]:
         return phrase
     article, which, of = words
     if article.text != "the" or of.text != "of" or not w.directions(which.text):
@@ -79,16 +82,33 @@ def _as_thing(phrase: Phrase) -> Phrase:
     return Phrase("NP", (Phrase("NP", (article, which)), Phrase("PP", (of, rest[0]))))
 
 
-def _owned(children: Children) -> Children:
-    """For example "takes (it ('s nearest box))": what is its own, which was read as what it is."""
-    return tuple(_as_own(child) if isinstance(child, Phrase) else child for child in children)
+def _owned(children: Children, *, within: bool) -> Children:
+    """For example "takes (it ('s nearest box))": what is its own, which was read as what it is.
+
+    Args:
+        children: of a phrase.
+        within: whether "it" and the rest may be children of the phrase itself.
+    """
+    found: list[Phrase | Word] = []
+    for child in children:
+        owner = found[-1] if found else None
+        verbal = isinstance(child, Phrase) and child.tag in ("S", "VP")
+        if within and verbal and isinstance(child, Phrase) and isinstance(owner, Phrase) and owner.text == "it":
+            verb = child.phrases[0] if child.tag == "S" and len(child.children) == 1 and child.phrases else child
+            together = Phrase("S", (owner, verb))
+            own = _as_own(together)
+            if own is not together:
+                found[-1] = own
+                continue
+        found.append(_as_own(child) if isinstance(child, Phrase) else child)
+    return tuple(found)
 
 
 def _as_own(phrase: Phrase) -> Phrase:
     if phrase.tag != "S" or len(phrase.phrases) != 2 or phrase.words or phrase.phrases[0].text != "it":
         return phrase
     verb = phrase.phrases[1]
-    first = verb.children[0]
+    first = verb.children[0] if verb.children else None
     if not isinstance(first, Word) or first.text not in _PARTICLES or len(verb.children) != 2 or not verb.phrases:
         return phrase
     thing = verb.phrases[0]

@@ -6,23 +6,21 @@ A sentence is heard by readings in their order. Each says whether it is of its k
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
 
 from grounding.graded.destinations.items import peeled
 from grounding.graded.discourse.giving import gained, given
-from grounding.graded.discourse.parts import Parts, is_existential, parts_of
-from grounding.graded.discourse.told import Told, add, deny, is_informative, mention, one_of, state, take, with_further
+from grounding.graded.discourse.hearing import Sentence, hear
+from grounding.graded.discourse.sharing import shared_out
+from grounding.graded.discourse.told import Told, add, deny, is_informative, mention, state, take, with_further
 from grounding.graded.discourse.verbs import (
     BEING,
     GAINING,
     HANDLING,
     JOINING,
-    LOOKING,
     LOSING,
     MOVED,
     ORDERING,
     is_verbal,
-    kind_of,
 )
 from grounding.graded.nouns import Noun, read_noun
 from grounding.graded.reader import Reader
@@ -35,44 +33,11 @@ _ARRIVING = frozenset("joins touches meets hugs forms creates makes fills comple
 _NOW = frozenset(("now",))
 _MOVING = frozenset(HANDLING["place"])
 _NOT = frozenset(("not", "n't"))
-_LEADING = frozenset("to onto into toward towards over so until up down".split())
-
-
-@dataclass(frozen=True)
-class Sentence:
-    """A clause, taken apart and read.
-
-    Attributes:
-        parts: its parts.
-        verbs: its words, the verbs among them.
-        kind: of action that they ask for, or None.
-        looking: whether it only tells where to look.
-        named: its subjects, "there" left out.
-        subjects: those of them that can be handled, or stand for it.
-        nouns: its objects, those left out that say nothing.
-    """
-
-    parts: Parts
-    verbs: list[str]
-    kind: str | None
-    looking: bool
-    named: list[Noun]
-    subjects: list[Noun]
-    nouns: list[Noun]
-
-    def has(self, words: frozenset[str]) -> bool:
-        """Whether one of some words is among its own."""
-        return any(verb in words for verb in self.verbs)
-
-    @property
-    def fresh(self) -> bool:
-        """Whether its subject names something rather than pointing back."""
-        return bool(self.subjects) and self.subjects[0].head != "pronoun"
 
 
 def read_sentence(clause: Phrase, reader: Reader, told: Told) -> None:
     """Hear what a clause tells."""
-    sentence = _read(clause, reader, told)
+    sentence = hear(clause, reader, told)
     parts = sentence.parts
     if not any(is_verbal(text) for text in sentence.verbs) and told.target is not None and not parts.subjects:
         add(clause, reader, told)
@@ -81,44 +46,6 @@ def read_sentence(clause: Phrase, reader: Reader, told: Told) -> None:
         if reading(sentence, reader, told):
             return
     _only_names(sentence, reader, told)
-
-
-def _read(clause: Phrase, reader: Reader, told: Told) -> Sentence:
-    parts = _chosen_from(parts_of(clause), reader, told)
-    verbs = [word.text for word in parts.words]
-    looking = any(verb in LOOKING for verb in verbs) or any(is_existential(p) for p in parts.subjects)
-    named = [one_of(read_noun(phrase), told) for phrase in parts.named]
-    subjects = [noun for noun in named if noun.head in ("block", "pronoun", "container") or _is_part(noun)]
-    nouns = [one_of(read_noun(phrase), told) for phrase in parts.objects]
-    nouns = [noun for noun in nouns if noun.head != "other" or noun.colors or noun.modifiers]
-    kind = kind_of(verbs, clause)
-    if kind == "place" and not subjects and not looking and named and _is_corner(named[0]):
-        named[0] = replace(named[0], head="block")
-        subjects = named[:1]
-    return Sentence(parts, verbs, kind, looking, named, subjects, nouns)
-
-
-def _is_corner(noun: Noun) -> bool:
-    """Whether a bare place stands for what lies there: "the bottom right moves up"."""
-    return noun.head == "place" and noun.place is None and bool(noun.directions) and not noun.modifiers
-
-
-def _chosen_from(parts: Parts, reader: Reader, told: Told) -> Parts:
-    """A clause without what it says first that it chooses from: "of the three on the left, the nearest moves"."""
-    first = parts.before[0] if parts.before else None
-    if first is None or [word.text for word in first.words] != ["of"] or not (parts.subjects or parts.objects):
-        return parts
-    noun = read_noun(first.phrases[0]) if first.phrases and first.phrases[0].tag == "NP" else None
-    if noun is None or not (noun.plural or noun.head == "container"):
-        return parts
-    mention(noun, reader, told)
-    return replace(parts, before=parts.before[1:])
-
-
-def _is_part(noun: Noun) -> bool:
-    """Whether a place is a part of things, which is a thing itself: "the top of the tower"."""
-    owners = (p for m in noun.modifiers if [w.text for w in m.words] == ["of"] for p in m.phrases if p.tag == "NP")
-    return noun.head == "place" and any(read_noun(p).head in ("block", "container") for p in owners)
 
 
 def _moves_the_hand(sentence: Sentence, reader: Reader, told: Told) -> bool:
@@ -302,57 +229,11 @@ def _places(sentence: Sentence, reader: Reader, told: Told) -> bool:
         return False
     parts = sentence.parts
     told.kind = sentence.kind
-    noun, rest = _shared_out(with_further(sentence.nouns[0], *parts.before), list(parts.rest), told)
+    noun, rest = shared_out(with_further(sentence.nouns[0], *parts.before), list(parts.rest), told)
     noun, courses = peeled(noun)
     take(noun, reader, told)
     told.destination += [parts.said, *courses, *parts.objects[1:], *rest]
     return True
-
-
-def _shared_out(noun: Noun, rest: list[Phrase], told: Told) -> tuple[Noun, list[Phrase]]:
-    """The adjuncts of a command that say which object is meant go to its noun; the others say where to."""
-    if len(rest) > 1 and rest[0].tag == "PP" and noun.head == "block" and not is_informative(noun):
-        noun = with_further(noun, rest.pop(0))
-    fresh = noun.head != "pronoun"
-    if len(rest) == 1 and rest[0].tag == "PP" and _is_bare(noun) and told.mentioned is None:
-        parted = _parted(rest[0])
-        if parted is not None:
-            noun, rest = with_further(noun, parted[0]), [parted[1]]
-    resulting = len(rest) > 1 and rest[0].tag == "PP" and not _leads(rest[0]) and _results(rest[-1])
-    if fresh and resulting and not _is_told_apart(noun, rest[0]):
-        noun = with_further(noun, rest.pop(0))
-    while told.continued and rest and rest[0].tag in ("PP", "SBAR"):
-        if is_informative(noun) and _leads(rest[0]):
-            break
-        noun = with_further(noun, rest.pop(0))
-    return noun, rest
-
-
-def _is_bare(noun: Noun) -> bool:
-    """Whether a noun only says "the block"."""
-    return noun.head == "block" and noun.definite and not noun.plural and not is_informative(noun)
-
-
-def _parted(phrase: Phrase) -> tuple[Phrase, Phrase] | None:
-    """A phrase without what it took in at its end that tells where to: "below the pair" "on top of X"; None for others."""
-    last = phrase.children[-1]
-    if not isinstance(last, Phrase):
-        return None
-    deeper = _parted(last)
-    if deeper is not None:
-        return Phrase(phrase.tag, (*phrase.children[:-1], deeper[0])), deeper[1]
-    texts = [leaf.text for leaf in last.leaves[:3]]
-    onto = last.tag == "PP" and (texts[0] in ("onto", "atop") or texts[:2] == ["on", "top"])
-    if phrase.tag == "NP" and len(phrase.children) > 1 and (onto or _results(last)):
-        kept = phrase.children[:-1]
-        return (kept[0] if len(kept) == 1 and isinstance(kept[0], Phrase) else Phrase(phrase.tag, kept)), last
-    return None
-
-
-def _is_told_apart(noun: Noun, phrase: Phrase) -> bool:
-    """Whether a noun says enough for the phrase after it to tell where to: "the block on the left" "above X"."""
-    bare = not any(part.tag == "NP" for part in phrase.preorder())
-    return bool(noun.modifiers) or (bare and bool(noun.directions) and not noun.ordinals)
 
 
 def _goes_on(sentence: Sentence, reader: Reader, told: Told) -> bool:
@@ -405,14 +286,3 @@ def _is_same_thing(noun: Noun) -> bool:
     """Whether a subject is what was just spoken of, or a side of it: "it", "its left side"."""
     texts = noun.text.split()
     return (noun.head == "pronoun" and not noun.modifiers) or (noun.head == "place" and texts[:1] == ["its"])
-
-
-def _results(phrase: Phrase) -> bool:
-    """Whether a phrase tells what shall be the case afterwards: "so that it is ..."."""
-    return phrase.tag == "SBAR" and any(leaf.text in ("so", "until") for leaf in phrase.leaves[:2])
-
-
-def _leads(phrase: Phrase) -> bool:
-    """Whether a phrase tells where to go: "to the right", "down two"."""
-    first = phrase.leaves[0].text
-    return first in _LEADING or first.isdigit()

@@ -31,8 +31,8 @@ MOVED = frozenset("moved placed put stacked set shifted relocated positioned".sp
 LOSING = frozenset("loses lose lost".split())
 HAVING = frozenset("has have sees".split())
 PARTING = frozenset("takes moves drops puts gives sends moving throws".split())
-GAINING = frozenset("takes gains gets receives becomes grows adds acquires take gain become made formed sees grows claims "
-                    "claim".split())  # fmt: skip
+GAINING = frozenset("takes gains gets receives becomes grows adds acquires take gain become made formed sees grows "
+                    "claims claim".split())  # fmt: skip
 TAKING = frozenset("taking using claiming".split())
 JOINED = frozenset("joined conjoined topped filled followed met capped crowned".split())
 COMING = frozenset("coming comes came".split())

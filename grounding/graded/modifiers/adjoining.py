@@ -1,11 +1,10 @@
-"""Modifiers that say one thing together: "on the right" "in the middle", "the second" "down", "two up and one left of X"."""
+"""Modifiers that say one thing together: "on the right" "in the middle", "two spaces up" "and one left of X"."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from grounding.graded import words as w
 from grounding.graded.modifiers.heard import hear
 from grounding.graded.nouns import Noun, read_noun
 from grounding.graded.relations import stepped
