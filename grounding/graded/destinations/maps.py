@@ -208,7 +208,7 @@ def within(clue: Clue, anchors: Anchors, points: Array) -> Array:
     kinds = {kind for noun in clue.nouns for kind in noun.kinds}
     if kinds == {"circle"}:
         width = 0.5 + 0.1 * (anchors.high - anchors.low)
-        return np.asarray(gaussian((at - anchors.centre) / width, 1.0).prod(axis=2))
+        return np.asarray(gaussian(at - anchors.centre, width).prod(axis=2))
     if "row" in kinds and "column" not in kinds:
         return np.asarray(gaussian(off[..., 1], 0.35) * np.exp(-off[..., 0] / 3.0))
     if "column" in kinds and "row" not in kinds:

@@ -14,6 +14,7 @@ from grounding.graded.discourse.sharing import shared_out
 from grounding.graded.discourse.told import Told, add, deny, is_informative, mention, state, take, with_further
 from grounding.graded.discourse.verbs import (
     BEING,
+    FORMING,
     GAINING,
     HANDLING,
     JOINING,
@@ -245,6 +246,15 @@ def _goes_on(sentence: Sentence, reader: Reader, told: Told) -> bool:
     return True
 
 
+def _joins_further(sentence: Sentence, reader: Reader, told: Told) -> bool:
+    """For example "and becomes the top of the tower": what was named before comes to be its object, or beside it."""
+    if sentence.kind != "place" or sentence.subjects or told.target is None or not sentence.has(JOINING | FORMING):
+        return False
+    told.kind = sentence.kind
+    told.destination += [sentence.parts.said, *sentence.parts.objects, *sentence.parts.rest]
+    return True
+
+
 def _only_names(sentence: Sentence, reader: Reader, told: Told) -> None:
     """What no other reading is of: it names something, or says more of what was named."""
     parts = sentence.parts
@@ -276,6 +286,7 @@ _READINGS: tuple[Callable[[Sentence, Reader, Told], bool], ...] = (
     _denies,
     _states,
     _moves_by_itself,
+    _joins_further,
     _picks,
     _places,
     _goes_on,

@@ -38,6 +38,7 @@ JOINED = frozenset("joined conjoined topped filled followed met capped crowned".
 COMING = frozenset("coming comes came".split())
 JOINING = frozenset("joins join joined touches meets hugs fills attaches connects leaps hops jumps swings approaches "
                     "follows flanks".split())  # fmt: skip
+FORMING = frozenset("becomes become forms creates".split())
 MAKING = frozenset("create make form build creating making forming".split())
 _WANTING = frozenset("want need reach like".split())
 
