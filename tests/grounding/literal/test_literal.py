@@ -183,3 +183,10 @@ def test_what_is_read_literally_alone_is_answered():
     assert result.outcome == "grounded"
     assert result.actions[0].objects == ("f",)
     assert result.phrases
+
+
+def test_what_is_outside_of_a_row_is_no_part_of_it():
+    row = {f"r{i}": ("red", 0.6, 0.3 - 0.1 * i) for i in range(4)}
+    world = laid(**row, out=("red", 0.85, 0.3), blue=("blue", 0.6, -0.5))
+    assert options("take the red block outside the row", world) == {("out",)}
+    assert options("take the red block outside of the row of four", world) == {("out",)}
