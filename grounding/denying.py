@@ -21,17 +21,30 @@ def denies(text: str) -> bool:
 
 
 def others_than(options: Sequence[Pooled], denied: Iterable[str], layout: Layout) -> tuple[Pooled, ...]:
-    """What else may be meant, the likeliest first; where something has the colour of what was denied, only that.
+    """What else may be meant, the likeliest first: what looks like the thing that was denied before anything else.
 
     Args:
-        options: all that a text may speak of, the likeliest first.
+        options: all that a text may speak of, the likeliest first; at least one.
         denied: ids of what is not meant.
         layout: the world, measured.
     """
-    wrong = set(denied)
+    wrong = frozenset(denied)
     rest = [option for option in options if not wrong & set(option.objects)]
-    alike = [option for option in rest if _colors(option.objects, layout) == _colors(wrong, layout)] or rest
-    return tuple(option for option in alike if option.probability >= LEFT * alike[0].probability)
+    alike = [option for option in rest if _colors(option.objects, layout) == _colors(wrong, layout)]
+    if not alike and len(wrong) == 1:
+        alike = [_alone(name, options[0]) for name in _same(next(iter(wrong)), layout)]
+    found = alike or rest
+    return tuple(option for option in found if option.probability >= LEFT * found[0].probability)
+
+
+def _same(name: str, layout: Layout) -> list[str]:
+    """Others of the type and the colour of a thing."""
+    item = layout.world[name]
+    return [other for other in layout.names(layout.matching(item.type, item.color)) if other != name]
+
+
+def _alone(name: str, like: Pooled) -> Pooled:
+    return Pooled((name,), like.probability, like.kinds)
 
 
 def points_at_other(text: str, options: Sequence[Pooled], denied: Iterable[str], layout: Layout) -> bool:

@@ -62,7 +62,7 @@ def modify(reader: LiteralReader, phrase: Phrase, noun: Noun, pool: int) -> list
     if phrase.tag == "NP":
         return _predicate(reader, read_noun(phrase), pool)
     ranked = any(w.is_ranking(text) for text in texts)
-    if texts and texts[-1] == "outside" and len(phrase.phrases) == 1:
+    if texts in (["outside"], ["outside", "of"]) and len(phrase.phrases) == 1:
         return [_outside(reader, phrase)]
     if _REFUSED & set(texts) or (_APART & set(texts) and not ranked):
         raise Unread(phrase.text)
@@ -75,11 +75,8 @@ def modify(reader: LiteralReader, phrase: Phrase, noun: Noun, pool: int) -> list
 
 def _outside(reader: LiteralReader, phrase: Phrase) -> Effect:
     """What is no part of an arrangement: "outside the row"; a ring may have something within it that is neither."""
-    inner = phrase.phrases[0]
-    if inner.tag == "PP" and [word.text for word in inner.words] == ["of"] and len(inner.phrases) == 1:
-        inner = inner.phrases[0]
-    meant = reader.mean(inner) if inner.tag == "NP" else None
-    if meant is None or meant.sort != "things" or not meant.chosen or meant.kind in ("object", "circle"):
+    meant = reader.mean(phrase.phrases[0])
+    if meant.sort != "things" or not meant.chosen or meant.kind in ("object", "circle"):
         raise Unread(phrase.text)
     return Narrow(reader.layout.everything & ~meant.chosen)
 

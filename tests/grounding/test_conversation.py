@@ -86,6 +86,52 @@ def test_no_to_all_ends_the_question():
     assert not conversation.waits
 
 
+def test_no_to_a_choice_of_two_asks_again_which():
+    conversation, result = talked("lift the red cube", "no")
+    assert result.outcome == "ambiguous"
+    assert conversation.waits
+    assert picked("lift the red cube", "no", "the left one") == (REDS[0],)
+
+
+@pytest.mark.parametrize("text", ["not that one", "no, not this one", "wrong block"])
+def test_what_was_taken_wrongly_is_not_taken_again(text):
+    conversation, result = talked("lift the leftmost red cube", text)
+    assert result.outcome == "ambiguous"
+    assert {a.objects for a in result.alternatives} == {(REDS[1],)}
+    assert conversation.history == ()
+    assert conversation.say("yes").actions[0].objects == (REDS[1],)
+
+
+def test_the_other_one_of_two_is_taken_at_once():
+    assert picked("lift the leftmost red cube", "no, the other one") == (REDS[1],)
+    assert picked("lift the red cube", "the left one", "no, the other one") == (REDS[1],)
+
+
+def test_what_was_put_wrongly_is_where_it_was():
+    conversation, first = talked("put the leftmost red cube on the farthest blue cube")
+    assert first.outcome == "grounded"
+    result = conversation.say("no, the other one")
+    assert [a.objects for a in result.actions] == [(REDS[1],)]
+    assert result.actions[0].action == "place"
+    assert (conversation.world[REDS[0]].position == scene()[REDS[0]].position).all()
+
+
+def test_after_the_world_was_seen_nothing_is_taken_back():
+    conversation, _ = talked("lift the leftmost red cube")
+    conversation.observe(scene())
+    assert conversation.say("no, the other one").actions[0].objects == (REDS[1],)
+
+
+def test_rows_that_are_called_alike_are_told_apart():
+    _, result = talked("lift the row", world="two_rows")
+    offers = result.question.removeprefix("Do you mean ").rstrip("?").split(" or ")
+    assert len(set(offers)) == 2
+    for offer, alternative in zip(offers, result.alternatives, strict=False):
+        assert set(picked("lift the row", offer, world="two_rows")) == set(alternative.objects)
+    word = offers[1].split()[1]
+    assert set(picked("lift the row", f"the {word} one", world="two_rows")) == set(result.alternatives[1].objects)
+
+
 def test_an_answer_that_narrows_is_asked_further():
     _, result = talked(WHICH, "the red one")
     assert result.outcome == "ambiguous"

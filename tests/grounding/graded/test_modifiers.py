@@ -86,3 +86,12 @@ COLUMN = Scene(Layout(World(tuple(
 )  # fmt: skip
 def test_blocks_are_counted_along_a_direction(text, name):
     assert believe(parser().parse(text, 4), COLUMN).options[0][0] == ("pick", (name,))
+
+
+def test_what_is_outside_of_a_ring_is_neither_part_of_it_nor_within():
+    ring = [(0.65 + 0.2 * np.cos(a), 0.2 * np.sin(a)) for a in 2 * np.pi * np.arange(9) / 9]
+    places = {**{f"r{i}": place for i, place in enumerate(ring)}, "within": (0.65, 0.0), "out": (0.65, 0.55)}
+    blocks = [make_object(name, "block", "red", (*place, 0.736)) for name, place in places.items()]
+    scene = Scene(Layout(World((WORLD["table"], *blocks))))
+    for text in ("get the cube outside the ring", "get the cube that is outside of the ring"):
+        assert believe(parser().parse(text, 4), scene).options[0][0] == ("pick", ("out",))

@@ -216,3 +216,10 @@ def test_what_lies_on_the_table_is_all_that_is_there_unless_one_alone_lies_on_it
     assert options("take all the blue blocks on the table") == {("c", "g", "top")}
     stacked = laid(a=("blue", 0.7, -0.6), b=("blue", 0.7, -0.6, 1), c=("red", 0.5, 0.2))
     assert options("take the blue block on the table", stacked) == {("a",)}
+
+
+def test_what_is_outside_of_a_row_is_no_part_of_it():
+    row = {f"r{i}": ("red", 0.6, 0.3 - 0.1 * i) for i in range(4)}
+    world = laid(**row, out=("red", 0.85, 0.3), blue=("blue", 0.6, -0.5))
+    assert options("take the red block outside the row", world) == {("out",)}
+    assert options("take the red block outside of the row of four", world) == {("out",)}
