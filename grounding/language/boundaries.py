@@ -64,7 +64,8 @@ class Boundaries:
             for every place, whether one may begin with it, and whether one may end with it.
         """
         kinds: list[set[str | None]] = [
-            {words.usual_tag(word) if words.is_known(word) else None for word in choices} for choices in sentence
+            {kind for word in choices for kind in (words.frequent_tags(word) if words.is_known(word) else (None,))}
+            for choices in sentence
         ]
         edge: set[str | None] = {""}
         begins = [

@@ -16,6 +16,7 @@ from grounding.language.tree import Phrase
 
 RARE = 2
 """A word seen less often than this with a tag counts as an unknown word of that tag."""
+FREQUENT = 0.5  # a tag is frequent for a word if it is seen so many times as often as the usual one
 
 _LONGEST_ENDING = 4
 _ENDING_WEIGHT = 2.0
@@ -98,6 +99,11 @@ class TagModel:
     def usual_tag(self, word: str) -> str:
         """The tag that a word of the treebank has most often; "" for other words."""
         return self._usual_tags.get(word, "")
+
+    def frequent_tags(self, word: str) -> frozenset[str]:
+        """The tags of a word of the treebank that are not much rarer than its usual one: "bottom" is NN and JJ."""
+        row = self.counts.get(word, {})
+        return frozenset(tag for tag, count in row.items() if count >= FREQUENT * max(row.values()))
 
     @cached_property
     def _usual_tags(self) -> Mapping[str, str]:
