@@ -126,6 +126,8 @@ class Clauses:
             raise NotAnnotatable(f"VP {phrase.text!r}: no action on objects")
         if any(word.text in ("away", "out") for child in phrase.phrases if child.tag == "PRT" for word in child.words):
             kind = "clear" if kind in ("pick", "place") and verb != "pick" else kind
+        if verb == "bring" and len(told) > 1 and told[1].sort in _PLACES:
+            kind = "place"  # "bring it next to the tower"
         if kind == "clear" and told and told[0].sort in ("table", "region", "direction"):
             told = [self._all_there(phrase, told[0]), *told[1:]]
         moves = verb in _VERBS and kind == "place" and phrase.words[0].tag in ("VBZ", "VBN") and verb != "takes"

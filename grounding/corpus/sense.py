@@ -16,9 +16,10 @@ _BRINGING = frozenset("bring pick take get grab".split())
 
 
 def is_sensible(tree: Phrase) -> bool:
-    """Whether no noun phrase of a tree is ranked twice by distance, and nothing is said to be on itself."""
-    nouns = (phrase for phrase in tree.preorder() if phrase.tag == "NP")
-    return not _on_itself(tree) and not _brought_back(tree) and all(_distances(noun) < 2 for noun in nouns)
+    """Whether no noun phrase of a tree is ranked twice by distance, and nothing lies on itself or is chosen alone."""
+    if _on_itself(tree) or _brought_back(tree) or _alone_before(tree):
+        return False
+    return all(_distances(phrase) < 2 for phrase in tree.preorder() if phrase.tag == "NP")
 
 
 def _distances(noun: Phrase) -> int:
@@ -49,3 +50,13 @@ def _brought_back(tree: Phrase) -> bool:
     """Whether something is to be picked up back: only what was put down elsewhere goes back."""
     commands = (p for p in tree.preorder() if p.tag == "VP" and any(word.text in _BRINGING for word in p.words))
     return any(child.tag == "PRT" and child.text == "back" for command in commands for child in command.phrases)
+
+
+def _alone_before(tree: Phrase) -> bool:
+    """Whether loneness is told before what it is of: "by itself pick up the red block"."""
+    for phrase in tree.preorder():
+        verb = next((i for i, c in enumerate(phrase.children) if isinstance(c, Word) and c.tag.startswith("VB")), 0)
+        before = (child for child in phrase.children[:verb] if isinstance(child, Phrase))
+        if phrase.tag == "VP" and any(child.leaves[-1].text in ("itself", "own", "alone") for child in before):
+            return True
+    return False

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import zip_longest
+
 from grounding.graded.words import distance
 from grounding.language.tree import Phrase
 
@@ -49,9 +51,10 @@ def is_verbal(text: str) -> bool:
 
 
 def _goes_away(clause: Phrase) -> bool:
-    """Whether the particle of a clause's own verb says so: "take it away"."""
-    if any(child.tag == "PRT" and child.text in ("away", "aside") for child in clause.phrases):
-        return True
+    """Whether the particle of a clause's own verb says so: "take it away", but not "put it away from the tower"."""
+    for child, following in zip_longest(clause.phrases, clause.phrases[1:]):
+        if child.tag == "PRT" and child.text in ("away", "aside"):
+            return following is None or following.leaves[0].text != "from"
     return any(_goes_away(child) for child in clause.phrases if child.tag in ("VP", "S"))
 
 

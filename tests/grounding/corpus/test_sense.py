@@ -36,6 +36,7 @@ def test_one_rank_by_distance_is_enough(parser, text):
         "there is a block on itself",
         "bring it back",
         "please bring it back",
+        "by itself pick up the red block",
     ],
 )
 def test_two_are_one_too_many(parser, text):
