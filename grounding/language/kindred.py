@@ -1,4 +1,4 @@
-"""Verbs that no treebank of instructions has, each with one that it has and that takes the same phrases with it."""
+"""Verbs and particles that no treebank of instructions has, each with one that it has and that stands in its place."""
 
 from __future__ import annotations
 
@@ -14,10 +14,11 @@ _LIKE = {
     "create": "build complete construct",
     "moved": "dragged dropped joined lifted nudged pulled pushed relocated repositioned shifted slid switched "
             "transferred turned",
+    "away": "aside",
 }  # fmt: skip
 _KNOWN_AS = {verb: known for known, verbs in reversed(_LIKE.items()) for verb in verbs.split()}
 
 
 def kindred(word: str) -> str | None:
-    """A verb that stands where a new one stands, or None where the word is no such verb."""
+    """A known word that stands where a new one stands, or None where the word is no such verb or particle."""
     return _KNOWN_AS.get(word)

@@ -103,3 +103,18 @@ def test_what_is_whole_stays_the_same():
 def test_a_relation_that_begins_with_a_verb_is_a_sentence():
     torn = Phrase("NP", (noun("the", "tower"), Phrase("PP", (Word("claims", "IN", 2), noun("the", "cube")))))
     assert [child.tag for child in as_sentence(torn).phrases] == ["NP", "VP"]
+
+
+@pytest.mark.parametrize(
+    ("text", "kind"),
+    [
+        ("take the block in the middle away", "clear"),
+        ("push the block in the middle aside", "clear"),
+        ("move the block in the middle out of the way", "clear"),
+        ("move the block in the middle away from the tower", "place"),
+        ("put the block in the middle onto the tower", "place"),
+        ("take the block in the middle", "pick"),
+    ],
+)
+def test_what_is_moved_away_is_cleared_unless_it_is_said_from_what(text, kind):
+    assert believe(parser().parse(text), SCENE).options[0][0] == (kind, ("mid",))
