@@ -20,6 +20,7 @@ from grounding.world import World
 
 PATIENCE = 2  # answers that do not help are borne so often, then the question is dropped
 _BARE = (["no"], ["nope"], ["nah"])  # answers that tell nothing where two are named
+_BACK = frozenset(("it", "them"))
 
 
 @dataclass(frozen=True, eq=False)
@@ -187,6 +188,9 @@ class Conversation:
         """An answer in words of its own, or an instruction that comes instead of one."""
         parses = self._grounder.parser.parse(text, 2)
         scene = pending.understanding.scene
+        if commands(parses[0]) and len(pending.options) == 1 and not _BACK.isdisjoint(words_of(text)):
+            self._decided(pending, pending.understanding.action(pending.options[0]))  # whoever goes on with "it" agrees
+            return self._instructed(text)
         answer = by_description(parses, scene, [option.objects for option in pending.options])
         if commands(parses[0]) or answer.kind == "other":
             course = self._grounder.course(text, self._world, self._history, self._before)

@@ -102,6 +102,12 @@ def test_what_was_taken_wrongly_is_not_taken_again(text):
     assert conversation.say("yes").actions[0].objects == (REDS[1],)
 
 
+def test_whoever_goes_on_with_it_agrees():
+    conversation, result = talked("lift the leftmost red cube", "not that one", "put it on the farthest blue cube")
+    assert [(a.action, a.objects) for a in result.actions] == [("place", (REDS[1],))]
+    assert not conversation.waits
+
+
 def test_the_other_one_of_two_is_taken_at_once():
     assert picked("lift the leftmost red cube", "no, the other one") == (REDS[1],)
     assert picked("lift the red cube", "the left one", "no, the other one") == (REDS[1],)
