@@ -24,7 +24,7 @@ from grounding.result import Destination, GroundedAction, Grounding
 from grounding.symbols import Action, Region, symbol_key
 from grounding.unanswered import nothing_before, open_options, unanswered
 
-ANSWERED = 0.37  # an answer is given when it is so likely
+ANSWERED = 0.34  # an answer is given when it is so likely
 MARGIN = 1.6  # and so many times likelier than the next one
 TIE = 1.1  # graded readings whose shares differ by less do not tell two things apart
 WHOLLY = 0.9  # words that agree with the world so well hold of what they are said of

@@ -16,6 +16,9 @@ _JOINED = {
     **{(way, "most"): way + "most" for way in "northern southern eastern western".split()},
     **{(way, "most"): way + "ernmost" for way in "north south east west".split()},
     **{(one, two): one + two for one in ("north", "south") for two in ("east", "west", "eastern", "western")},
+    **{(way, "most"): way for way in "furthest farthest closest nearest topmost bottommost leftmost rightmost".split()},
+    ("far", "most"): "farthest",
+    ("near", "most"): "nearest",
     ("up", "side"): "upside",
     ("in", "side"): "inside",
 }

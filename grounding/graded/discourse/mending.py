@@ -18,6 +18,8 @@ def mended(phrase: Phrase) -> Phrase:
         return Phrase("PP", children)
     if phrase.tag == "PP" and isinstance(children[0], Word) and children[0].text in LOOKING:
         return Phrase("VP", children)
+    if phrase.tag == "PP":
+        children = _ranking(children)
     if len(children) == len(phrase.children) and all(a is b for a, b in zip(children, phrase.children, strict=True)):
         return phrase
     return Phrase(phrase.tag, children)
@@ -65,6 +67,18 @@ def _with_centre(phrase: Phrase, centre: Word) -> Phrase | None:
     if isinstance(last, Word) and phrase.tag == "NP" and w.is_table(last.text) and not phrase.phrases:
         return Phrase("NP", (*phrase.children, centre))
     return None
+
+
+def _ranking(children: Children) -> Children:
+    """For example "((the furthest) from (you))": a rank, which was read as a measure."""
+    first = children[0]
+    if not isinstance(first, Phrase) or first.tag != "NP" or first.phrases or len(children) < 2:
+        return children
+    rank = first.words[-1]
+    plain = all(word.text in _DETERMINERS for word in first.words[:-1])
+    if not (plain and w.is_ranking(rank.text) and w.distance(rank.text) and isinstance(children[1], Word)):
+        return children
+    return (rank, *children[1:])
 
 
 def _chosen(children: Children) -> Children:

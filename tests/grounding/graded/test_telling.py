@@ -94,6 +94,13 @@ def test_the_middle_of_a_grid_is_put_together():
     assert [phrase.text for phrase in mended(torn).preorder() if phrase.tag == "NP"][-1] == "grid center"
 
 
+def test_a_rank_that_was_read_as_a_measure_is_a_rank():
+    rank, start, you = noun("the", "furthest"), Word("from", "IN", 2), noun("you")
+    assert mended(Phrase("PP", (rank, start, you))) == Phrase("PP", (rank.words[1], start, you))
+    step = Phrase("PP", (noun("two", "spaces"), start, you))
+    assert mended(step) is step
+
+
 def test_what_is_whole_stays_the_same():
     whole = Phrase("VP", (Word("take", "VB", 0), noun("the", "cube")))
     assert mended(whole) is whole

@@ -40,6 +40,8 @@ def known():
         ("the cube all of the way to the back", "the cube furthest to the back"),
         ("shift it all the way", "shift it all the way"),
         ("the cube on it's left", "the cube on its left"),
+        ("the furthest most cube", "the furthest cube"),
+        ("the far most of the two", "the farthest of the two"),
         ("the cube to it's lower right", "the cube to its lower right"),
         ("it's left of the tower", "it 's left of the tower"),
         ("the blorb-quux", "the blorb-quux"),
