@@ -14,7 +14,8 @@ from grounding.graded.reader import Reader
 from grounding.graded.scene import Scene
 from grounding.language.lexicon import meanings
 from grounding.language.tree import Phrase
-from grounding.numbers import listed, ranked, spelled
+from grounding.literal.colors import without
+from grounding.numbers import counted, listed, ranked, spelled
 from grounding.symbols import ObjectColor
 
 _LOOKS = 0.35  # an arrangement that looks less like one than this is not spoken of
@@ -131,9 +132,7 @@ def _color(noun: Noun, layout: Layout) -> str | None:
         return None
     if Reader(Scene(layout)).value_of(Noun(head="block", colors=noun.colors)).any():
         return None
-    there = sorted({item.color for item in layout.things if item.color != "unknown"})
-    wanted = listed(noun.colors, "or")
-    return f"there is no {wanted} block; what is here is {listed(there)}"
+    return without(noun.colors, layout)
 
 
 def _arrangement(noun: Noun, scene: Scene) -> str | None:
@@ -179,7 +178,7 @@ def _rank(noun: Noun, scene: Scene) -> str | None:
     there = [item for item in scene.layout.things if not noun.colors or item.color in (*noun.colors, "unknown")]
     if 0 < len(there) < rank:
         told = " ".join((*noun.colors[:1], "block"))
-        count = "there is only one" if len(there) == 1 else f"there are {spelled(len(there))}"
+        count = counted(len(there))
         return f"there is no {ranked(rank)} {told}; {count}"
     return None
 

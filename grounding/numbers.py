@@ -14,6 +14,11 @@ def spelled(count: int) -> str:
     return _WORDS[count] if 0 <= count < len(_WORDS) else str(count)
 
 
+def counted(count: int) -> str:
+    """How many there are, as a clause: "there is only one", "there are three"."""
+    return "there is only one" if count == 1 else f"there are {spelled(count)}"
+
+
 def ranked(rank: int) -> str:
     """A rank up to the twelfth as a word, a later one in digits."""
     if 0 < rank < len(_ORDINALS):

@@ -102,9 +102,10 @@ class GradedBelief:
             spot = find_spot(pieces, source, reading.reader, whole)
             if spot is not None:
                 found[said] = (spot, reading.share)
+            elif reading is self.readings[0] and self.leads_off(objects):
+                return None
         spot = agreed([(spot, share) for spot, share in found.values()], scene.edge)
         return None if spot is None else _destination(spot, source, scene)
-
 
     def leads_off(self, objects: tuple[str, ...]) -> bool:
         """Whether the likeliest reading moves an object so far that it leaves the table."""

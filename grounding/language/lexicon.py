@@ -86,7 +86,8 @@ _SIZE_ORDER = {"longest": 1, "tallest": 1, "biggest": 1, "largest": 1, "long": 1
                "smaller": -1}  # fmt: skip
 _SIDES = re.compile("left|right")
 _ALIKE: dict[type, str] = {Ordinal: "<ordinal>", Cardinal: "<cardinal>", ObjectColor: "<color>"}
-_DIGITS = re.compile(r"(\d{1,3})(st|nd|rd|th)?")
+_DIGITS = re.compile(r"(\d{1,40})(st|nd|rd|th)?")
+_MOST = 999  # numbers beyond are as good as this one: nobody counts so far
 
 
 def _table() -> dict[str, frozenset[Symbol]]:
@@ -129,7 +130,7 @@ def meanings(word: str) -> frozenset[Symbol]:
         return _MEANINGS[word]
     match = _DIGITS.fullmatch(word)
     if match:
-        value = int(match.group(1))
+        value = min(int(match.group(1)), _MOST)
         return frozenset({Ordinal(value) if match.group(2) else Cardinal(value)}) if value else frozenset()
     number = number_of(word)
     if number is not None:

@@ -17,7 +17,7 @@ from grounding.literal.colors import lacking
 from grounding.literal.places import names_of, says_unknown
 from grounding.literal.values import FAINT, FIRM, Meant, Missing, Narrow, Order, Sided, Unread, Viewed
 from grounding.literal.wider import looks_stacked
-from grounding.numbers import spelled
+from grounding.numbers import counted, spelled
 from grounding.symbols import LAST
 from grounding.world import Array
 
@@ -176,7 +176,7 @@ def _chosen(reader: LiteralReader, noun: Noun, found: Found, rest: list[Phrase],
     if not found:
         raise Missing(f"there is no such {noun.kinds[0]} here")
     if index is not None and index > len(found):
-        raise Missing(f"there is no {noun.kinds[0]} number {index} here; there are {spelled(len(found))}")
+        raise Missing(f"there is no {noun.kinds[0]} number {index} here; {counted(len(found))}")
     if noun.only and len(found) > 1:
         raise Unread("not the only one")
     best = _best(found, key, index, noun)

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
+from grounding.geometry.layout import Layout
 from grounding.graded.colors import colored
 from grounding.graded.nouns import Noun
 from grounding.literal.values import FIRM, Missing, Unread
@@ -13,11 +15,18 @@ if TYPE_CHECKING:
     from grounding.literal.reader import LiteralReader
 
 
+def without(colors: Sequence[str], layout: Layout) -> str:
+    """A sentence for people: that nothing has one of some colours, and which there are."""
+    there = sorted({item.color for item in layout.things if item.color != "unknown"})
+    if not layout.things:
+        return "there is nothing on the table"
+    return f"there is no {listed(colors, 'or')} block" + (f"; what is here is {listed(there)}" if there else "")
+
+
 def lacking(reader: LiteralReader, colors: tuple[str, ...]) -> Missing | Unread:
     """What is to be said of colours that nothing has: that they are missing, unless another one is taken for them."""
     scene = reader.scene
     if not colors or colored(scene, colors).any():
         return Unread(" ".join(colors))
-    there = sorted({item.color for item in scene.layout.things if item.color != "unknown"})
-    told = f"there is no {listed(colors, 'or')} block; what is here is {listed(there)}"
+    told = without(colors, scene.layout)
     return Missing(told, FIRM, Noun(head="block", colors=colors, text=told))

@@ -38,7 +38,7 @@ from grounding.literal.values import (
     Unread,
     Viewed,
 )
-from grounding.numbers import ranked, spelled
+from grounding.numbers import counted, ranked, spelled
 from grounding.symbols import LAST
 
 if TYPE_CHECKING:
@@ -227,8 +227,8 @@ def _unranked(reader: LiteralReader, noun: Noun, said: _Said, pool: int, index: 
         if index > pool.bit_count() and any(narrow.chosen for narrow in said.narrows):
             raise Unread("a rank of what is the only one")
         if index > pool.bit_count():
-            count = spelled(pool.bit_count())
-            raise Missing(f"there is no {ranked(index)} one; there are {count}", PLAIN if _by_count(said) else FAINT)
+            told = f"there is no {ranked(index)} one; {counted(pool.bit_count())}"
+            raise Missing(told, PLAIN if _by_count(said) else FAINT)
         if index == 1 or index == LAST:
             raise Unread("the first from where?")
         return Meant("things", pool, 0, definite=noun.definite)

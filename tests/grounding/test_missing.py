@@ -5,7 +5,7 @@ import functools
 import pytest
 
 import models
-from grounding import load_world, make_object
+from grounding import Grounder, load_world, make_object
 from grounding.geometry.layout import Layout
 from grounding.graded.scene import Scene
 from grounding.language.parser import Parser
@@ -58,3 +58,18 @@ def test_things_of_a_known_type_are_no_strangers():
 
 def test_an_empty_table_lacks_everything():
     assert whats_missing(tree("pick up the block"), Scene(Layout(World(())))) == "there is nothing on the table"
+
+
+@pytest.mark.parametrize("text", ["take the red block", "put the red block behind the tower", "the 5000th block"])
+def test_every_sentence_lacks_all_on_an_empty_table(text):
+    result = Grounder.load().ground(text, World(()))
+    assert result.outcome == "no_referent"
+    assert result.explanation == "there is nothing on the table"
+
+
+@pytest.mark.parametrize("rank", ["40th", "5000th", "123456789012345th"])
+def test_nobody_counts_so_far(rank):
+    alone = World((make_object("b", position=(0.6, 0.2, 0.736)),))
+    result = Grounder.load().ground(f"take the {rank} block", alone)
+    assert result.outcome == "no_referent"
+    assert "there is only one" in result.explanation
