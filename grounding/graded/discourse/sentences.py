@@ -56,7 +56,7 @@ def _moves_the_hand(sentence: Sentence, reader: Reader, told: Told) -> bool:
 
 
 def _tells_result(sentence: Sentence, reader: Reader, told: Told) -> bool:
-    """For example "you will now have a tower of three", after it was said what goes where."""
+    """For example "three blocks will then be stacked", after it was said what goes where."""
     if told.target is None or told.kind != "place" or not (told.destination and sentence.named):
         return False
     if _is_same_thing(sentence.named[0]) or (sentence.subjects and sentence.subjects[0].head == "block"
@@ -123,7 +123,7 @@ def _looks_at_object(sentence: Sentence, reader: Reader, told: Told) -> bool:
 
 
 def _lists(sentence: Sentence, reader: Reader, told: Told) -> bool:
-    """For example "the left column has two boxes": they are spoken of, and nothing is told of them yet."""
+    """For example "that corner holds two cubes": they are spoken of, and nothing is told of them yet."""
     if not (sentence.has(_HAVING) and sentence.named and sentence.nouns) or told.target is not None:
         return False
     whole, new = sentence.named[0], sentence.nouns[0]

@@ -42,9 +42,9 @@ def best(text, history=()):
 @pytest.mark.parametrize(
     ("text", "name"),
     [
-        ("The upper left corner has two cubes. Take the lower one and put it on the tower.", "two"),
+        ("The upper left corner has two cubes. The lower one shall go onto the tower.", "two"),
         ("The cube in the middle slides to the left and touches the bottom right cube.", "mid"),
-        ("Put the bottom right cube on the tower. You will now have a tower of three.", "near"),
+        ("Put the bottom right cube on the tower. Three cubes will then be stacked.", "near"),
         ("The bottom right moves three spaces to the left.", "near"),
         ("The cube in the middle has its left side touch the tower.", "mid"),
         ("Put the bottom right cube directly behind the tower and then slide it to the left.", "near"),
