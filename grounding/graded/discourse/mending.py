@@ -127,7 +127,7 @@ def _as_own(phrase: Phrase) -> Phrase:
         return phrase
     thing = verb.phrases[0]
     if thing.tag == "S" and thing.phrases and thing.phrases[0].tag == "NP":
-        thing = thing.phrases[0]  # "its closest box to add on"
+        thing = thing.phrases[0]  # "its nearest cube to grow by"
     if thing.tag != "NP" or thing.leaves[0].text in _DETERMINERS or not w.is_ranking(thing.leaves[0].text):
         return phrase
     its = Word("its", "PRP$", phrase.leaves[0].index)
