@@ -9,7 +9,7 @@ from grounding.graded.belief import GradedBelief
 from grounding.graded.scene import ROBOT, SPEAKER, Scene
 from grounding.language.parser import Parse
 from grounding.language.tree import Phrase
-from grounding.literal.presupposed import absences
+from grounding.literal.presupposed import absences, forms
 from grounding.literal.reader import LiteralReader
 from grounding.literal.texts import Literal, Rival, read_literally
 from grounding.literal.values import FAINT, FIRM, Missing
@@ -100,7 +100,11 @@ def believe_literally(
         return SILENT
     if best.missing is not None:
         gone = _gone(best.missing, words, scene, graded, handled)
-        return LiteralBelief(missing=str(best.missing)) if gone else SILENT
+        made = best.missing.noun is not None and best.missing.noun.head == "container" and forms(parses[0].tree)
+        if not gone or (made and graded.options[:1] and graded.options[0][0][0] == "place"):
+            return SILENT  # what is to be made need not be there
+        return LiteralBelief(missing=f"{best.missing}; to make one, say which block goes where" if made
+                             else str(best.missing))  # fmt: skip
     share = 1.0 / len(best.options)
     options = tuple(((best.kind, names), share) for names in best.options)
     alike = len(scene.layout.colors) < 2 and graded.truth >= FAINT

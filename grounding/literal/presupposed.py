@@ -18,9 +18,14 @@ from grounding.numbers import ranked, spelled
 if TYPE_CHECKING:
     from grounding.literal.reader import LiteralReader
 
-FORMING = frozenset(
+_FORMING = frozenset(
     "form forms make makes making create creates creating become becomes forming build builds building".split()
 )
+
+
+def forms(tree: Phrase) -> bool:
+    """Whether a text asks to make something out of blocks, which need not be there before."""
+    return bool(_FORMING & {leaf.text for leaf in tree.leaves})
 
 
 def absences(tree: Phrase, reader: LiteralReader) -> Iterator[Missing]:
@@ -30,7 +35,7 @@ def absences(tree: Phrase, reader: LiteralReader) -> Iterator[Missing]:
         tree: the parse.
         reader: of its phrases.
     """
-    if FORMING & {leaf.text for leaf in tree.leaves}:
+    if forms(tree):
         return
     alike = len(reader.layout.colors) < 2  # where places are all that tells things apart people speak loosely
     for phrase in tree.postorder():

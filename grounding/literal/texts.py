@@ -12,6 +12,7 @@ from grounding.graded.nouns import Noun, read_noun
 from grounding.graded.scene import Scene
 from grounding.language.tree import Phrase
 from grounding.literal.modifiers import RELATIONS
+from grounding.literal.presupposed import forms
 from grounding.literal.reader import LiteralReader
 from grounding.literal.values import FIRM, Meant, Missing, Unread
 from grounding.literal.wider import held, is_missing
@@ -21,7 +22,6 @@ HOLDS = 0.5
 _BACK = frozenset("it its itself them their".split())
 _ON = frozenset("on onto atop top".split())
 _POINTING = frozenset("the that this".split())
-_FORMING = frozenset("form forms make makes making create creates become becomes forming".split())
 
 
 @dataclass(frozen=True)
@@ -74,7 +74,7 @@ def read_literally(tree: Phrase, scene: Scene, history: Sequence[int] = ()) -> L
         if told.target is None or told.doubt:
             return None
         vague = reader.vague
-        rival = _check(told.destination, told.target, reader)
+        rival = None if forms(tree) else _check(told.destination, told.target, reader)
     except Missing as missing:
         return Literal(missing=missing)
     except Unread:
@@ -92,15 +92,13 @@ def read_literally(tree: Phrase, scene: Scene, history: Sequence[int] = ()) -> L
 
 
 def _check(destination: Sequence[Phrase], target: Array, reader: LiteralReader) -> Rival | None:
-    """What a destination leaves open; not what is to be formed there.
+    """What a destination leaves open.
 
     Raises:
         Missing: something that it speaks of is not there.
     """
     rival: Rival | None = None
     alike = len(reader.layout.colors) < 2
-    if any(leaf.text in _FORMING for piece in destination for leaf in piece.leaves):
-        return None
     for piece in destination:
         for phrase, related in _named(piece):
             noun = read_noun(phrase)

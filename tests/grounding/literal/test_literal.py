@@ -223,3 +223,21 @@ def test_what_is_outside_of_a_row_is_no_part_of_it():
     world = laid(**row, out=("red", 0.85, 0.3), blue=("blue", 0.6, -0.5))
     assert options("take the red block outside the row", world) == {("out",)}
     assert options("take the red block outside of the row of four", world) == {("out",)}
+
+
+@pytest.mark.parametrize(
+    "text",
+    ["make a tower of two by putting the leftmost red block on the yellow block",
+     "put the leftmost red block on the yellow block to make a tower of two"],
+)  # fmt: skip
+def test_what_is_to_be_made_need_not_be_there(text):
+    flat = World(tuple(o for o in WORLD.objects if o.id != "top"))
+    result = grounder().ground(text, flat)
+    assert result.outcome == "grounded"
+    assert [(a.action, a.objects) for a in result.actions] == [("place", ("a",))]
+
+
+def test_who_asks_for_something_to_be_made_of_nothing_that_is_named_is_told_what_to_say():
+    flat = World(tuple(o for o in WORLD.objects if o.id != "top"))
+    assert "to make one, say which block goes where" in grounder().ground("build a tower of nine", flat).explanation
+    assert "to make one" not in grounder().ground("lift the top block of the tower of nine", flat).explanation
