@@ -11,7 +11,7 @@ import numpy as np
 from grounding.graded.discourse import HANDLING
 from grounding.graded.nouns import Noun, read_noun
 from grounding.graded.reader import Reader
-from grounding.graded.scene import ROBOT, SPEAKER, Scene
+from grounding.world.scene import ROBOT, SPEAKER, Scene
 from grounding.language.lexicon import meanings
 from grounding.language.parser import Parse
 from grounding.language.tree import Phrase

@@ -12,7 +12,7 @@ from grounding.forbidding import forbidden
 from grounding.geometry.layout import Layout
 from grounding.graded.belief import GradedBelief
 from grounding.graded.discourse import clauses_of
-from grounding.graded.scene import Scene
+from grounding.world.scene import Scene
 from grounding.language.tree import Phrase
 from grounding.literal import LiteralBelief
 from grounding.missing import unknown_named, unknown_things, whats_missing

@@ -14,7 +14,7 @@ import numpy as np
 
 from grounding.describing import name_object
 from grounding.graded.reader import Reader
-from grounding.graded.scene import ROBOT, SPEAKER, Scene
+from grounding.world.scene import ROBOT, SPEAKER, Scene
 from grounding.language.tree import Phrase, Word
 from grounding.numbers import spelled
 from grounding.world import Array

@@ -17,7 +17,7 @@ from grounding.forbidding import without_forbidden
 from grounding.geometry.layout import Layout
 from grounding.graded.belief import GradedBelief, believe
 from grounding.graded.colors import taken_for
-from grounding.graded.scene import Scene
+from grounding.world.scene import Scene
 from grounding.inference import Adcg
 from grounding.language.lexicon import meanings
 from grounding.language.parser import Parse, Parser

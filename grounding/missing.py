@@ -11,7 +11,7 @@ from grounding.graded import sets
 from grounding.graded import words as w
 from grounding.graded.nouns import Noun, read_noun
 from grounding.graded.reader import Reader
-from grounding.graded.scene import Scene
+from grounding.world.scene import Scene
 from grounding.language.lexicon import meanings
 from grounding.language.tree import Phrase
 from grounding.literal.colors import without

@@ -13,7 +13,7 @@ import numpy as np
 from grounding.graded.discourse import HANDLING, clauses_of, read_text
 from grounding.graded.nouns import Noun, read_noun
 from grounding.graded.reader import Reader
-from grounding.graded.scene import Scene
+from grounding.world.scene import Scene
 from grounding.graded.words import is_between
 from grounding.language.parser import Parse
 from grounding.language.tree import Phrase, Word

@@ -9,7 +9,7 @@ from grounding.graded.discourse import HANDLING
 from grounding.graded.history import is_surely_recalled
 from grounding.graded.nouns import Noun, read_noun
 from grounding.graded.reader import Reader
-from grounding.graded.scene import Scene
+from grounding.world.scene import Scene
 from grounding.language.lexicon import meanings
 from grounding.language.tree import Phrase
 from grounding.missing import targets, unknown_things, whats_missing

@@ -7,7 +7,7 @@ import numpy as np
 from grounding.explanations.values import Weighed
 from grounding.graded.nouns import Noun
 from grounding.graded.reader import Reader
-from grounding.graded.scene import SPEAKER, Scene
+from grounding.world.scene import SPEAKER, Scene
 from grounding.graded.values import Effect, Membership, Place, Rank, Restriction, Value
 from grounding.language.tree import Phrase
 from grounding.world import Array

@@ -10,7 +10,7 @@ import numpy as np
 from grounding.graded import scores, sets
 from grounding.graded.colors import colored
 from grounding.graded.nouns import Noun, read_noun
-from grounding.graded.scene import Scene
+from grounding.world.scene import Scene
 from grounding.graded.selectors import adjectives
 from grounding.graded.values import SETS, Membership, Rank, Restriction, Value
 from grounding.language.lexicon import meanings

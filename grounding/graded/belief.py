@@ -12,7 +12,7 @@ from grounding.graded.destinations import Spot, agreed, find_spot, leads_off
 from grounding.graded.destinations.units import in_spaces
 from grounding.graded.discourse import Told, read_text
 from grounding.graded.reader import Reader
-from grounding.graded.scene import ROBOT, SPEAKER, Scene
+from grounding.world.scene import ROBOT, SPEAKER, Scene
 from grounding.language.parser import Parse
 from grounding.language.tree import Phrase
 from grounding.result import Destination

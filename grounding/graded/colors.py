@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from grounding.graded.scene import Scene
+from grounding.world.scene import Scene
 from grounding.world import Array
 
 _ALIASES = {"purple": ("blue",), "gray": ("white", "black"), "brown": ("orange",), "pink": ("red", "purple")}

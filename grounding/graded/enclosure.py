@@ -12,7 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from grounding.graded import scores
-from grounding.graded.scene import Scene
+from grounding.world.scene import Scene
 from grounding.world import Array
 
 REACH = 1.3  # gap at which a neighbour counts one half [edges]

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from grounding.graded.places import in_place, make_place
-from grounding.graded.scene import Scene
+from grounding.world.scene import Scene
 from grounding.graded.values import Restriction
 from grounding.world import Array
 

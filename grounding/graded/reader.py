@@ -14,7 +14,7 @@ from grounding.graded.colors import colored
 from grounding.graded.modifiers import read_effects, with_modifiers
 from grounding.graded.nouns import Noun, read_noun
 from grounding.graded.place_phrases import read_place
-from grounding.graded.scene import ROBOT, Scene
+from grounding.world.scene import ROBOT, Scene
 from grounding.graded.selection import FAINT, select
 from grounding.graded.values import SETS, Effect, Rank, Value
 from grounding.language.tree import Phrase

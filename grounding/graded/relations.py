@@ -9,7 +9,7 @@ import numpy as np
 
 from grounding.graded import scores
 from grounding.graded import words as w
-from grounding.graded.scene import Scene
+from grounding.world.scene import Scene
 from grounding.graded.values import SETS, Restriction, Value
 from grounding.world import Array
 

@@ -8,7 +8,7 @@ import numpy as np
 
 from grounding.graded import scores, sets
 from grounding.graded.nouns import Noun
-from grounding.graded.scene import Scene
+from grounding.world.scene import Scene
 from grounding.graded.selectors import adjectives, choose
 from grounding.graded.surroundings import lone, single
 from grounding.graded.values import SETS, Effect, Membership, Rank, Restriction, Value

@@ -8,7 +8,7 @@ from grounding.graded import scores
 from grounding.graded.nouns import Noun
 from grounding.graded.people import distance_from
 from grounding.graded.places import closeness, make_place, middle_one
-from grounding.graded.scene import ROBOT, Scene
+from grounding.world.scene import ROBOT, Scene
 from grounding.graded.values import Rank
 from grounding.world import Array
 

@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 
-from grounding.graded.scene import Scene
+from grounding.world.scene import Scene
 
 Sets = list[tuple[np.ndarray, float]]
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from grounding.graded import scores
-from grounding.graded.scene import Scene
+from grounding.world.scene import Scene
 from grounding.world import Array
 
 UNSTACKED = 0.5

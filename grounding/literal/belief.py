@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from grounding.graded.belief import GradedBelief
-from grounding.graded.scene import ROBOT, SPEAKER, Scene
+from grounding.world.scene import ROBOT, SPEAKER, Scene
 from grounding.language.parser import Parse
 from grounding.language.tree import Phrase
 from grounding.literal.presupposed import absences, forms

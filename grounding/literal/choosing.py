@@ -8,7 +8,7 @@ import numpy as np
 
 from grounding.geometry.layout import UPRIGHT, Layout
 from grounding.geometry.masks import indices_of, mask_of, single
-from grounding.graded.scene import Scene
+from grounding.world.scene import Scene
 from grounding.literal.values import Order, Unread
 from grounding.symbols import LAST, Region
 from grounding.world import Array

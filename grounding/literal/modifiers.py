@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from grounding.geometry.masks import mask_of, single
 from grounding.graded import words as w
 from grounding.graded.nouns import Noun, read_noun
-from grounding.graded.scene import SPEAKER
+from grounding.world.scene import SPEAKER
 from grounding.language.lexicon import meanings
 from grounding.language.tree import Phrase, Word
 from grounding.literal.choosing import alone, along, from_reference, to_center, toward

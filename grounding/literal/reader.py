@@ -7,7 +7,7 @@ import numpy as np
 from grounding.geometry.masks import indices_of, mask_of, single
 from grounding.graded import history as past
 from grounding.graded.nouns import Noun, read_noun
-from grounding.graded.scene import ROBOT, SPEAKER, Scene
+from grounding.world.scene import ROBOT, SPEAKER, Scene
 from grounding.graded.values import Effect as GradedEffect
 from grounding.graded.values import Rank, Restriction, Value
 from grounding.language.tree import Phrase

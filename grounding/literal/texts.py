@@ -9,7 +9,7 @@ import numpy as np
 
 from grounding.graded.discourse import read_text
 from grounding.graded.nouns import Noun, read_noun
-from grounding.graded.scene import Scene
+from grounding.world.scene import Scene
 from grounding.language.tree import Phrase
 from grounding.literal.modifiers import RELATIONS
 from grounding.literal.presupposed import forms

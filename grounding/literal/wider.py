@@ -18,7 +18,7 @@ from grounding.graded import sets
 from grounding.graded.colors import colored
 from grounding.graded.nouns import Noun
 from grounding.graded.reader import Reader
-from grounding.graded.scene import ROBOT, Scene
+from grounding.world.scene import ROBOT, Scene
 from grounding.literal.values import FIRM, Missing
 
 SHAPED = 0.6

@@ -6,7 +6,7 @@ from hypothesis import strategies as st
 
 from grounding.dialogue import CONFIDENT, decide
 from grounding.geometry.layout import Layout
-from grounding.graded.scene import Scene
+from grounding.world.scene import Scene
 from grounding.inference import Hypothesis, Inference
 from grounding.language.tree import from_brackets
 from grounding.readings import Reading

@@ -39,7 +39,7 @@ from grounding.graded.destinations.vocabulary import (
     TOWARD,
 )
 from grounding.graded.nouns import Noun
-from grounding.graded.scene import ROBOT, SPEAKER
+from grounding.world.scene import ROBOT, SPEAKER
 
 _PEOPLE = {ROBOT: "front", SPEAKER: "back"}  # "toward you" is to the robot's front; who speaks sits across the table
 

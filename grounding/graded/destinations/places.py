@@ -7,7 +7,7 @@ from weakref import WeakKeyDictionary
 
 import numpy as np
 
-from grounding.graded.scene import Scene
+from grounding.world.scene import Scene
 from grounding.world import Array
 
 PITCH = 1.09  # from block to block where they lie side by side [edges]

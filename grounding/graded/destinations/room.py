@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from grounding.destinations import free_places
-from grounding.graded.scene import Scene
+from grounding.world.scene import Scene
 from grounding.world import FURNITURE, Array
 
 ASIDE = 0.6  # how far a place may be moved for that [edges]

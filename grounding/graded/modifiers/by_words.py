@@ -20,7 +20,7 @@ from grounding.graded.people import before, distance_from
 from grounding.graded.place_phrases import whole_of
 from grounding.graded.places import closeness, in_place, located, make_place
 from grounding.graded.relations import along, measured
-from grounding.graded.scene import ROBOT
+from grounding.world.scene import ROBOT
 from grounding.graded.surroundings import gaps_to_others
 from grounding.graded.values import Effect, Place, Rank, Restriction, Value
 

@@ -10,7 +10,7 @@ from grounding.graded.people import distance_from
 from grounding.graded.place_phrases import whole_of
 from grounding.graded.places import closeness
 from grounding.graded.relations import distance_to
-from grounding.graded.scene import ROBOT
+from grounding.world.scene import ROBOT
 from grounding.graded.values import Effect, Membership, Rank
 
 if TYPE_CHECKING:

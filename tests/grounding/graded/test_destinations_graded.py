@@ -11,7 +11,7 @@ import models
 from grounding.geometry.layout import Layout
 from grounding.graded.belief import believe
 from grounding.graded.destinations import find_spot
-from grounding.graded.scene import Scene
+from grounding.world.scene import Scene
 from grounding.language.parser import Parser
 from grounding.world import FURNITURE, World, load_world, make_object
 

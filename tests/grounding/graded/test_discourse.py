@@ -8,7 +8,7 @@ import pytest
 from grounding import World, make_object
 from grounding.geometry.layout import Layout
 from grounding.graded.belief import believe
-from grounding.graded.scene import Scene
+from grounding.world.scene import Scene
 from grounding.language.parser import Parser
 from grounding.literal.belief import believe_literally
 

@@ -12,7 +12,7 @@ from grounding import World, make_object
 from grounding.geometry.layout import Layout
 from grounding.graded.enclosure import Part, _at_least, amid, between_two
 from grounding.graded.reader import Reader
-from grounding.graded.scene import Scene
+from grounding.world.scene import Scene
 from grounding.language.parser import Parser
 
 points = st.lists(st.tuples(st.integers(0, 6), st.integers(-6, 6)), min_size=3, max_size=7, unique=True)

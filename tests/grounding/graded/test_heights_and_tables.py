@@ -8,7 +8,7 @@ import pytest
 import models
 from grounding.geometry.layout import Layout
 from grounding.graded.belief import believe
-from grounding.graded.scene import Scene
+from grounding.world.scene import Scene
 from grounding.language.parser import Parser
 from grounding.world import World, load_world, make_object
 

@@ -8,7 +8,7 @@ import pytest
 from grounding import World, make_object
 from grounding.geometry.layout import Layout
 from grounding.graded.belief import believe
-from grounding.graded.scene import ROBOT, SPEAKER, Scene
+from grounding.world.scene import ROBOT, SPEAKER, Scene
 from grounding.language.parser import Parser
 from grounding.world import Viewpoint
 

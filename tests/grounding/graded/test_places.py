@@ -9,7 +9,7 @@ from grounding import World, make_object
 from grounding.geometry.layout import Layout
 from grounding.graded.belief import believe
 from grounding.graded.places import in_place, make_place, off_middle
-from grounding.graded.scene import ROBOT, Scene
+from grounding.world.scene import ROBOT, Scene
 from grounding.language.parser import Parser
 
 TABLE = make_object("table", "table", "white", (0.65, 0, 0.691), size=(0.7, 1.8, 0.04))

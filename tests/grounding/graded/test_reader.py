@@ -10,7 +10,7 @@ from grounding.geometry.layout import Layout
 from grounding.graded.belief import believe
 from grounding.graded.nouns import read_noun
 from grounding.graded.reader import Reader
-from grounding.graded.scene import ROBOT, SPEAKER, Scene
+from grounding.world.scene import ROBOT, SPEAKER, Scene
 from grounding.graded.values import Membership, Rank, Restriction
 from grounding.language.parser import Parser
 from grounding.world import Viewpoint

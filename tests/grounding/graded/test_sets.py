@@ -11,7 +11,7 @@ import models
 from grounding import World, load_world, make_object
 from grounding.geometry.layout import Layout
 from grounding.graded import sets
-from grounding.graded.scene import Scene
+from grounding.world.scene import Scene
 
 places = st.lists(st.tuples(st.integers(0, 12), st.integers(-14, 14)), min_size=1, max_size=9, unique=True)
 

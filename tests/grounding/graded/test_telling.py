@@ -8,7 +8,7 @@ from grounding import World, make_object
 from grounding.geometry.layout import Layout
 from grounding.graded.belief import believe
 from grounding.graded.discourse.mending import as_sentence, mended
-from grounding.graded.scene import Scene
+from grounding.world.scene import Scene
 from grounding.language.parser import Parser
 from grounding.language.tree import Phrase, Word
 

@@ -10,7 +10,7 @@ import models
 from grounding import Grounder
 from grounding.geometry.layout import Layout
 from grounding.graded.belief import GradedBelief, believe
-from grounding.graded.scene import Scene
+from grounding.world.scene import Scene
 from grounding.language.parser import Parser
 from grounding.literal import believe_literally, read_literally
 from grounding.world import World, load_world, make_object

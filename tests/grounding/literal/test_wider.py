@@ -8,7 +8,7 @@ import models
 from grounding import Grounder
 from grounding.geometry.layout import Layout
 from grounding.graded.nouns import Noun
-from grounding.graded.scene import Scene
+from grounding.world.scene import Scene
 from grounding.language.parser import Parser
 from grounding.literal.presupposed import absences
 from grounding.literal.reader import LiteralReader
