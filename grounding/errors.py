@@ -29,6 +29,10 @@ class LanguageError(GroundingError):
     """A text that cannot be split into words at all, or a grammar that cannot be used."""
 
 
+class LexiconError(GroundingError):
+    """A table of words or of parameters that is refused; names the file and the entry."""
+
+
 class CorpusError(GroundingError):
     """A corpus file that is refused; names the file and the element."""
 

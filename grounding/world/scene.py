@@ -113,6 +113,11 @@ class Scene:
         return np.asarray(np.maximum(found, 0.0))
 
     @lazy
+    def halves(self) -> Array:
+        """Half extents of the boxes along x and y as they lie unturned, shape (n, 2) in [m]."""
+        return np.array([item.size[:2] / 2 for item in self.layout.things]).reshape(-1, 2)
+
+    @lazy
     def towers(self) -> tuple[tuple[int, ...], ...]:
         """Stacks, each from its lowest to its highest member."""
         found = [a for a in self.layout.arrangements if a.kind == "tower"]

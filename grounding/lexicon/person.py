@@ -1,0 +1,27 @@
+"""Where objects are for somebody who looks at them: how far, and how much before them."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from grounding.lexicon.degrees import gaussian
+from grounding.lexicon.parameters import value
+from grounding.world import Array
+from grounding.world.scene import Scene
+
+
+def distance_from(scene: Scene, owner: str) -> Array:
+    """How far every object is from somebody [m], shape (n,); sideways counts a little less."""
+    offset = scene.xy - scene.viewpoint(owner).position[:2]
+    return np.asarray(np.hypot(offset[:, 0], value("rank.sideways") * offset[:, 1]))
+
+
+def before(scene: Scene, owner: str) -> Array:
+    """How much objects are straight before somebody and near: "in front of you", shape (n,)."""
+    offset = scene.xy - scene.viewpoint(owner).position[:2]
+    ahead = scene.direction("back", owner)
+    along = offset @ ahead
+    side = np.abs(offset[:, 0] * ahead[1] - offset[:, 1] * ahead[0])
+    centred = gaussian(side, value("person.centred") * scene.edge)
+    near = np.exp(-(along - along.min(initial=np.inf)) / (value("person.near") * scene.edge)) if scene.n else along
+    return np.asarray(centred * near)
