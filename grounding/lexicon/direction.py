@@ -35,6 +35,28 @@ def truth(
     offset = where.xy[:, None] - references[None]
     ahead = offset @ vector
     side = np.abs(offset[..., 0] * vector[1] - offset[..., 1] * vector[0])
+    return _directed(ahead, side, edge, strict=strict)
+
+
+def truth_of_set(where: Where, members: Array, edge: float, vector: Array, *, strict: bool = False) -> Array:
+    """How well places lie in a direction of several things together, beyond all of them, shape (m,).
+
+    Args:
+        where: the places.
+        members: their points, shape (k, 2) in [m].
+        edge: of a block [m].
+        vector: unit vector (2,).
+        strict: "directly": little to the side counts more.
+    """
+    across = np.array([-vector[1], vector[0]])
+    ahead = where.xy @ vector - float((members @ vector).max())
+    sideways = where.xy @ across
+    low, high = float((members @ across).min()), float((members @ across).max())
+    side = np.maximum(np.maximum(low - sideways, sideways - high), 0.0)
+    return _directed(ahead, side, edge, strict=strict)
+
+
+def _directed(ahead: Array, side: Array, edge: float, *, strict: bool) -> Array:
     name = "direction.strict_" if strict else "direction."
     tolerance = value(name + "spread") * np.maximum(ahead, 0.0) + value(name + "width") * edge
     beyond = logistic((ahead / edge - value("direction.ahead")) / value("direction.ahead_blur"))

@@ -1,0 +1,112 @@
+"""What a referent may mean: cases with candidates, their features, and what is believed of them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from grounding.lexicon.place import Spot
+from grounding.world import Array
+
+Weights = Mapping[str, float]
+"""Weights by the names of features; features without one count nothing."""
+
+
+@dataclass(eq=False)
+class Case:
+    """One way to take a referent, for instance one of the rows that "the row" may be, and the candidates that it leaves.
+
+    Attributes:
+        size: how many candidates there are.
+        masks: of each candidate, shape (m, n); None where the candidates are the n objects one by one.
+        scalars: features of the case as a whole.
+        columns: features of every candidate, each of shape (m,).
+        truth: how well all that is said holds of every candidate, shape (m,), in [0, 1].
+    """
+
+    size: int
+    truth: Array
+    masks: np.ndarray | None = None
+    scalars: dict[str, float] = field(default_factory=dict)
+    columns: dict[str, Array] = field(default_factory=dict)
+
+    def add(self, name: str, column: Array) -> None:
+        """Add to a feature of the candidates."""
+        before = self.columns.get(name)
+        self.columns[name] = column if before is None else before + column
+
+    def note(self, name: str, value: float = 1.0) -> None:
+        """Add to a feature of the case."""
+        self.scalars[name] = self.scalars.get(name, 0.0) + value
+
+    def scores(self, weights: Weights) -> Array:
+        """The log-linear score of every candidate, shape (m,)."""
+        total = np.full(self.size, sum(weights.get(name, 0.0) * value for name, value in self.scalars.items()))
+        for name, column in self.columns.items():
+            weight = weights.get(name, 0.0)
+            if weight:
+                total = total + weight * column
+        return total
+
+
+@dataclass(frozen=True, eq=False)
+class Denotation:
+    """What a referent means in a scene.
+
+    Attributes:
+        weights: how likely each object is what is meant or belongs to it, shape (n,), at most 1 and 1 for the best.
+        sets: candidates for what several mean, each a boolean mask (n,) with a weight in [0, 1], the likeliest first.
+        truth: how well what is said holds of what it fits best, in [0, 1]; of all referents within as well.
+        cases: from which it was found.
+        spot: of a place.
+        person: "robot" or "speaker".
+        missing: the concept that holds least of what all others fit best, for telling what is missing.
+    """
+
+    weights: Array
+    sets: tuple[tuple[np.ndarray, float], ...] = ()
+    truth: float = 1.0
+    cases: tuple[Case, ...] = ()
+    spot: Spot | None = None
+    person: str | None = None
+
+    @property
+    def likely(self) -> np.ndarray:
+        """The objects that are not unlikely, boolean (n,)."""
+        return np.asarray(self.weights > 0.3)
+
+
+def combined(cases: list[Case], weights: Weights, n: int, truths: float, *, several: bool) -> Denotation:
+    """What cases leave, by the scores of their candidates.
+
+    Args:
+        cases: of one referent.
+        weights: of features.
+        n: number of objects.
+        truths: the truth of the referents to which it relates.
+        several: whether candidates are sets.
+    """
+    kept = [case for case in cases if case.size]
+    if not kept:
+        return Denotation(np.zeros(n), truth=0.0)
+    scores = [case.scores(weights) for case in kept]
+    best = max(float(score.max()) for score in scores)
+    truth = truths * max(float(case.truth[int(np.argmax(score))]) for case, score in zip(kept, scores, strict=True))
+    total = np.zeros(n)
+    if not several:
+        for score in scores:
+            total += np.exp(score - best)
+        return Denotation(total / max(float(total.max()), 1e-12), (), truth, tuple(kept))
+    found: dict[bytes, tuple[np.ndarray, float]] = {}
+    for case, score in zip(kept, scores, strict=True):
+        assert case.masks is not None
+        for mask, chance in zip(case.masks, np.exp(score - best), strict=True):
+            key = mask.tobytes()
+            found[key] = (mask, found[key][1] + float(chance) if key in found else float(chance))
+    most = max(chance for _, chance in found.values())
+    sets = sorted(((mask, chance / most) for mask, chance in found.values()), key=lambda item: -item[1])
+    for mask, chance in sets:
+        total = np.maximum(total, mask * chance)
+    return Denotation(total, tuple(sets), truth, tuple(kept))

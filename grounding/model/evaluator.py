@@ -1,0 +1,94 @@
+"""What referents mean in a scene: their conditions become cases, candidates and features, and weights decide."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from types import MappingProxyType
+
+import numpy as np
+
+from grounding.lexicon import colour, place
+from grounding.lexicon.where import Where
+from grounding.meaning.referents import OBJECTS, PERSON, PLACE, SETS, Condition, Referent, Region
+from grounding.model.arranging import arrangement_cases, conjoined_cases
+from grounding.model.cases import Case, Denotation, Weights, combined
+from grounding.model.things import thing_cases
+from grounding.world import Array
+from grounding.world.scene import ROBOT, Scene
+
+EVEN: Weights = MappingProxyType({"T": 1.0, "P": 1.0, "R": 1.0, "set": 1.0, "looks": 1.0, "number": 1.0,
+                                  "buried": -2.3, "stacked": -1.0})  # fmt: skip
+"""Equal weights for all concepts."""
+
+
+class Evaluator:
+    """Evaluates referents in one scene with one view for unmarked directions.
+
+    Args:
+        scene: the world.
+        view: whose left is meant where nobody is named.
+        history: indices of the objects handled before, the latest last.
+        weights: of features.
+    """
+
+    def __init__(
+        self, scene: Scene, view: str = ROBOT, history: tuple[int, ...] = (), weights: Weights = EVEN
+    ) -> None:
+        self.scene = scene
+        self.view = view
+        self.history = history
+        self.weights = weights
+        self.where = Where.objects(scene)
+        self._kept: dict[tuple[int, bytes, bool], tuple[Referent, Denotation]] = {}
+
+    def spot(self, region: Region) -> place.Spot:
+        """A place as whoever is meant sees it."""
+        return place.make_spot(self.scene, region.names, region.owner or self.view, middle=region.middle,
+                               corner=region.corner, rim=region.rim)  # fmt: skip
+
+    def denote(self, referent: Referent, base: Array | None = None, *, carrying: bool = False) -> Denotation:
+        """What a referent means.
+
+        Args:
+            referent: of a text.
+            base: how well every object is of the kind of what it modifies, shape (n,), where it is of that kind.
+            carrying: whether it is spoken of because of what it carries.
+        """
+        alike = base if referent.like else None
+        key = (id(referent), b"" if alike is None else alike.tobytes(), carrying)
+        if key not in self._kept:
+            self._kept[key] = (referent, self._denote(referent, alike, carrying=carrying))
+        return self._kept[key][1]
+
+    def cases(self, referent: Referent, base: Array | None = None, *, carrying: bool = False) -> list[Case]:
+        """All that a referent of things may mean."""
+        if referent.parts:
+            return conjoined_cases(self, referent)
+        if referent.sort == SETS and referent.kinds and not any(c.concept == "those" for c in referent.conditions):
+            return arrangement_cases(self, referent)
+        return thing_cases(self, referent, base, carrying=carrying)
+
+    def _denote(self, referent: Referent, base: Array | None, *, carrying: bool) -> Denotation:
+        n = self.scene.n
+        if referent.sort == PERSON:
+            return Denotation(np.zeros(n), person=referent.person)
+        if referent.sort == PLACE and referent.region is not None:
+            return Denotation(np.zeros(n), spot=self.spot(referent.region))
+        if referent.sort not in (OBJECTS, SETS) or not n:
+            return Denotation(np.zeros(n), truth=0.0 if referent.sort in (OBJECTS, SETS) else 1.0)
+        cases = self.cases(referent, base, carrying=carrying)
+        return combined(cases, self.weights, n, self.truth_within(referent, base), several=referent.sort == SETS)
+
+    def truth_within(self, referent: Referent, base: Array | None = None) -> float:
+        """The smallest truth of the referents to which a referent relates."""
+        related = [r for c in referent.conditions if not c.negated for r in c.of] + list(referent.parts)
+        return min((self.denote(r, base).truth for r in related if r.sort in (OBJECTS, SETS)), default=1.0)
+
+
+def base_of(scene: Scene, conditions: Sequence[Condition]) -> Array:
+    """How well every object is of the colour that is said, shape (n,)."""
+    words = tuple(word for c in conditions if c.concept == "colour" and not c.negated for word in c.words)
+    return colour.truth(scene, words)
+
+
+__all__ = ["EVEN", "Evaluator", "Mapping", "base_of"]

@@ -1,0 +1,174 @@
+"""What a noun of things may mean: restrictors make a pool before ranks choose within it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from grounding.lexicon import arrangement, colour
+from grounding.lexicon.degrees import softened
+from grounding.lexicon.parameters import value
+from grounding.meaning.referents import SETS, Condition, Referent
+from grounding.model.cases import Case
+from grounding.model.choosing import Order, Pool, choose, first_of, orders_of
+from grounding.model.features import add_held, add_rank, logarithm
+from grounding.model.restricting import SETS as TRIED
+from grounding.model.restricting import Evaluates, Held, lane, restricted
+from grounding.world import Array
+
+_MOST_CASES = 12
+
+
+@dataclass(eq=False)
+class _Choice:
+    """One set of every membership, from which is chosen."""
+
+    mask: np.ndarray
+    scalars: dict[str, float] = field(default_factory=dict)
+    log: float = 0.0
+
+
+def thing_cases(evaluator: Evaluates, referent: Referent, base: Array | None, *, carrying: bool) -> list[Case]:
+    """All that a noun of things may mean.
+
+    Args:
+        evaluator: of a scene.
+        referent: objects, or several of them.
+        base: how well every object is of the kind of what the referent modifies, shape (n,), or None.
+        carrying: whether it is spoken of because of what it carries.
+    """
+    scene, conditions = evaluator.scene, referent.conditions
+    words = tuple(word for c in conditions if c.concept == "colour" and not c.negated for word in c.words)
+    kind = colour.truth(scene, words) * (1.0 if base is None else base)
+    held = [(c, _held(evaluator, c, kind, conditions)) for c in conditions if c.restricts]
+    choices = _choices(evaluator, conditions, kind)
+    cases = []
+    for choice in sorted(choices, key=lambda c: -c.log)[:_MOST_CASES]:
+        truth = np.ones(scene.n) if base is None else base.copy()
+        for _, found in held:
+            truth = truth * softened(found.truth)
+        pool = truth * np.where(choice.mask, 1.0, value("answer.floor"))
+        case = Case(scene.n, pool.copy())
+        case.scalars.update(choice.scalars)
+        ranked = any(c.ranks for c in conditions)
+        if base is not None:
+            case.add("T", logarithm(base))
+        for condition, found in held:
+            add_held(case, condition, found, ranked=ranked)
+        if choice.scalars:
+            case.add("outside", np.where(choice.mask, 0.0, logarithm(np.zeros(1))[0]))
+        if referent.sort == SETS:
+            cases += _several(evaluator, referent, case, pool, kind)
+        else:
+            cases.append(_one(evaluator, referent, case, pool, kind, choice, carrying=carrying))
+    return cases
+
+
+def _held(evaluator: Evaluates, condition: Condition, kind: Array, conditions: Sequence[Condition]) -> Held:
+    """How well a condition holds; where an ordinal counts along it, distance does not speak against."""
+    if condition.concept == "toward" and not condition.negated and any(c.concept == "ordinal" for c in conditions):
+        return Held(lane(evaluator, condition, kind)[0], np.ones(evaluator.scene.n))
+    return restricted(evaluator, condition, kind)
+
+
+def _choices(evaluator: Evaluates, conditions: Sequence[Condition], kind: Array) -> list[_Choice]:
+    """What lies in one set of every membership."""
+    found = [_Choice(np.ones(evaluator.scene.n, dtype=bool))]
+    for condition in conditions:
+        if condition.chooses:
+            options = _sets(evaluator, condition, kind)
+            found = [
+                _Choice(one.mask & mask, {**one.scalars, **_noted(one, condition, chance)}, one.log + np.log(chance))
+                for one in found for mask, chance in options
+            ] or found  # fmt: skip
+    return found
+
+
+def _noted(one: _Choice, condition: Condition, chance: float) -> dict[str, float]:
+    names = {"set": float(np.log(chance)), f"set.{condition.concept}": float(np.log(chance))}
+    return {name: one.scalars.get(name, 0.0) + amount for name, amount in names.items()}
+
+
+def _sets(evaluator: Evaluates, condition: Condition, kind: Array) -> list[tuple[np.ndarray, float]]:
+    found = evaluator.denote(condition.of[0], kind)
+    options = [(mask, max(chance, 1e-3)) for mask, chance in found.sets[:TRIED]] or [(found.likely, 1.0)]
+    options = [(mask, chance) for mask, chance in options if mask.any()]
+    if condition.concept == "those":  # who speaks of several and then of one mostly means one of them
+        options.append((np.ones(len(kind), dtype=bool), 0.05))
+    return options
+
+
+def _one(
+    evaluator: Evaluates, referent: Referent, case: Case, pool: Array, kind: Array, choice: _Choice, *, carrying: bool
+) -> Case:
+    scene, conditions = evaluator.scene, referent.conditions
+    chosen = bool(choice.scalars)
+    in_stack = chosen and bool(choice.mask.any()) and bool(scene.stacked[choice.mask].all())
+    kinds = tuple(k for c in conditions if c.chooses for k in c.of[0].kinds)
+    vertical = any(c.region is not None and {"up", "down"} & set(c.region.names) for c in conditions)
+    salient = pool * scene.salience if not (in_stack or vertical or carrying) else pool
+    for ranked in choose(evaluator, conditions, Pool(salient, kinds, chosen, in_stack), kind):
+        add_rank(case, ranked)
+        case.truth = case.truth * ranked.truth
+    if not (in_stack or carrying):
+        name = ".vertical" if vertical else ""
+        case.add("buried" + name, (~scene.clear).astype(float))
+        case.add("stacked" + name, (scene.stacked & scene.clear).astype(float))
+    elif carrying:
+        case.add("buried.carrying", (~scene.clear).astype(float))
+    _presuppose(case, referent, pool, chosen=chosen)
+    return case
+
+
+def _presuppose(case: Case, referent: Referent, pool: Array, *, chosen: bool) -> None:
+    """Note how well a set of so many members fits a noun that chooses among them."""
+    count = int((pool > 0.3).sum())
+    ranking = any(c.ranks for c in referent.conditions)
+    if referent.only:
+        case.note("only", -abs(count - 1.0))
+    if any(c.concept == "ordinal" for c in referent.conditions) and count < 2:
+        case.note("ordinal.one")
+    if referent.definite and not ranking:
+        name = "sole.chosen" if chosen else "sole"
+        case.note(name, -float(min(max(count - 1, 0), 4)))
+    if not count:
+        case.note("empty")
+
+
+def _several(evaluator: Evaluates, referent: Referent, case: Case, pool: Array, kind: Array) -> list[Case]:
+    """What a plural may mean in a pool: the first so many where they are ranked, else what lies together."""
+    scene = evaluator.scene
+    orders: list[Order] = orders_of(evaluator, referent.conditions, Pool(pool), kind)
+    first = first_of(orders, pool, referent.number) if referent.number else None
+    if first is not None:
+        found = [arrangement.Candidate(first, 1.0, "ranked")]
+    else:
+        found = arrangement.collected(scene, pool, referent.number, referent.universal)
+    return [set_case(case, found, referent.number)] if found else []
+
+
+def set_case(case: Case, found: Sequence[arrangement.Candidate], number: int | None) -> Case:
+    """A case of objects made one of sets: what holds of a set holds of its members in the mean.
+
+    Args:
+        case: of the objects one by one.
+        found: the sets.
+        number: of members that was said, or None.
+    """
+    masks = np.array([candidate.mask for candidate in found])
+    shares = masks / np.maximum(masks.sum(axis=1, keepdims=True), 1)
+    together = Case(len(found), shares @ case.truth, masks, dict(case.scalars))
+    for name, column in case.columns.items():
+        together.columns[name] = shares @ column
+    looks = np.array([candidate.looks for candidate in found])
+    together.add("looks", np.log(np.maximum(looks, 1e-3)))
+    for form in {candidate.form for candidate in found}:
+        together.add(f"form.{form}", np.array([float(candidate.form == form) for candidate in found]))
+    if number is not None:
+        off = np.abs(masks.sum(axis=1) - number).astype(float)
+        together.add("number", -value("arrangement.number") * off)
+        together.add("miscounted", -(off > 0).astype(float))
+        together.truth = together.truth * np.exp(-value("arrangement.number") * off)
+    return together
