@@ -85,6 +85,14 @@ def read_noun(phrase: Phrase) -> Noun:
     return noun
 
 
+def is_measuring(noun: Noun) -> bool:
+    """Whether a noun may only tell how far: "two blocks", "half a block"."""
+    told = noun.colors or noun.modifiers or noun.ordinals or noun.directions or noun.distance or noun.lone
+    return noun.head == "measure" or (noun.head == "block" and noun.number is not None and not noun.definite) or (
+        noun.head == "block" and noun.number is not None and not told and not noun.text.startswith("the ")
+    )
+
+
 def _read(phrase: Phrase) -> Noun:
     inner = [child for child in phrase.phrases if child.tag == "NP"]
     conjunction = any(word.tag == "CC" or word.text in ("and", "or") for word in phrase.words)

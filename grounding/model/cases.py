@@ -51,6 +51,11 @@ class Case:
         return total
 
 
+    def features(self, row: int) -> dict[str, float]:
+        """All features of one candidate."""
+        return {**self.scalars, **{name: float(column[row]) for name, column in self.columns.items()}}
+
+
 @dataclass(frozen=True, eq=False)
 class Denotation:
     """What a referent means in a scene.
@@ -62,7 +67,6 @@ class Denotation:
         cases: from which it was found.
         spot: of a place.
         person: "robot" or "speaker".
-        missing: the concept that holds least of what all others fit best, for telling what is missing.
     """
 
     weights: Array

@@ -115,10 +115,19 @@ def orders_of(evaluator: Evaluates, conditions: Sequence[Condition], pool: Pool,
             orders += _extremes(evaluator, condition, pool)
         elif condition.concept in ("nearest", "farthest") and not condition.negated:
             orders.append(_by_distance(evaluator, condition, base))
+        elif counted and counts_from(condition):
+            orders += _extremes(evaluator, condition, pool)
         elif condition.concept == "toward" and counted and not condition.negated:
             key = lane(evaluator, condition, base)[1]
             orders.append(Order("lane", key, None, rank.blur(evaluator.scene)))
     return orders
+
+
+def counts_from(condition: Condition) -> bool:
+    """Whether an ordinal counts from a place: "the first block on the left" is the first from there."""
+    region = condition.region
+    bare = region is not None and len(region.names) == 1 and not (region.middle or region.corner or region.rim)
+    return condition.concept == "at" and bare and not condition.negated
 
 
 def _extremes(evaluator: Evaluates, condition: Condition, pool: Pool) -> list[Order]:

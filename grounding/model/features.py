@@ -49,14 +49,16 @@ def add_held(case: Case, condition: Condition, held: Held, *, ranked: bool) -> N
     case.add("T", truth)
     case.add(f"T.{name}", truth)
     for limit in BINS:
-        case.add(f"T.{name}<{limit}", (held.truth < limit).astype(float))
+        below = (held.truth < limit).astype(float)
+        case.add(f"T<{limit}", below)
+        case.add(f"T.{name}<{limit}", below)
+    suffix = ".ranked" if ranked else ""
     if np.any(preference != 0):
-        suffix = ".ranked" if ranked else ""
         case.add("P" + suffix, preference)
         case.add(f"P.{name}{suffix}", preference)
     together = held.truth * held.preference
     best = float((together * (case.truth > 0.3)).max(initial=0.0)) or float(together.max(initial=1e-9))
-    case.add(f"best.{name}", logarithm(np.minimum(together / max(best, 1e-9), 1.0)))
+    case.add(f"best.{name}{suffix}", logarithm(np.minimum(together / max(best, 1e-9), 1.0)))
 
 
 def add_rank(case: Case, ranked: Ranked) -> None:
@@ -66,4 +68,6 @@ def add_rank(case: Case, ranked: Ranked) -> None:
     case.add("R", column)
     case.add(f"R.{name}", column)
     for limit in BINS:
-        case.add(f"R.{name}<{limit}", (ranked.truth < limit).astype(float))
+        below = (ranked.truth < limit).astype(float)
+        case.add(f"R<{limit}", below)
+        case.add(f"R.{name}<{limit}", below)

@@ -13,7 +13,7 @@ from grounding.lexicon.parameters import value
 from grounding.lexicon.where import Where
 from grounding.lexicon.words import flat
 from grounding.meaning.referents import Condition, Referent, Region
-from grounding.model.cases import Denotation
+from grounding.model.cases import Denotation, Weights
 from grounding.world import Array
 from grounding.world.scene import ROBOT, Scene
 
@@ -40,6 +40,7 @@ class Evaluates(Protocol):
     scene: Scene
     where: Where
     view: str
+    weights: Weights
     history: tuple[int, ...]
 
     def denote(self, referent: Referent, base: Array | None = None, *, carrying: bool = False) -> Denotation:
@@ -229,12 +230,21 @@ def _parts(evaluator: Evaluates, referents: tuple[Referent, ...], base: Array) -
     for referent in referents:
         denotation = evaluator.denote(referent, base)
         arranged = bool(denotation.sets) and bool(referent.kinds)
+        if arranged and (referent.plural or referent.number == 2) and len(referents) == 1:
+            return _two(denotation)
         number = referent.number if not arranged else None
         several = referent.plural or arranged
         point = evaluator.scene.xy[denotation.sets[0][0]].mean(axis=0) if arranged else None
         weights = denotation.sets[0][0].astype(float) if arranged else denotation.weights
         found.append(between.Part(weights, number or (None if several else 1), point))
     return found
+
+
+def _two(denotation: Denotation) -> list[between.Part]:
+    """The two likeliest sets that share nothing: "between the rows"."""
+    first = denotation.sets[0][0]
+    others = [mask for mask, _ in denotation.sets[1:] if not (mask & first).any()]
+    return [between.Part(mask.astype(float), None, np.zeros(2)) for mask in (first, *others[:1])]
 
 
 def _between(evaluator: Evaluates, condition: Condition, base: Array) -> Held:

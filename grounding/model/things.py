@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -11,8 +11,8 @@ from grounding.lexicon import arrangement, colour
 from grounding.lexicon.degrees import softened
 from grounding.lexicon.parameters import value
 from grounding.meaning.referents import SETS, Condition, Referent
-from grounding.model.cases import Case
-from grounding.model.choosing import Order, Pool, choose, first_of, orders_of
+from grounding.model.cases import Case, Denotation
+from grounding.model.choosing import Order, Pool, choose, counts_from, first_of, orders_of
 from grounding.model.features import add_held, add_rank, logarithm
 from grounding.model.restricting import SETS as TRIED
 from grounding.model.restricting import Evaluates, Held, lane, restricted
@@ -68,7 +68,10 @@ def thing_cases(evaluator: Evaluates, referent: Referent, base: Array | None, *,
 
 def _held(evaluator: Evaluates, condition: Condition, kind: Array, conditions: Sequence[Condition]) -> Held:
     """How well a condition holds; where an ordinal counts along it, distance does not speak against."""
-    if condition.concept == "toward" and not condition.negated and any(c.concept == "ordinal" for c in conditions):
+    counted = any(c.concept == "ordinal" for c in conditions)
+    if counted and counts_from(condition):
+        return Held(np.ones(evaluator.scene.n), np.ones(evaluator.scene.n))
+    if counted and condition.concept == "toward" and not condition.negated:
         return Held(lane(evaluator, condition, kind)[0], np.ones(evaluator.scene.n))
     return restricted(evaluator, condition, kind)
 
@@ -80,24 +83,48 @@ def _choices(evaluator: Evaluates, conditions: Sequence[Condition], kind: Array)
         if condition.chooses:
             options = _sets(evaluator, condition, kind)
             found = [
-                _Choice(one.mask & mask, {**one.scalars, **_noted(one, condition, chance)}, one.log + np.log(chance))
-                for one in found for mask, chance in options
+                _Choice(one.mask & option.mask, _summed(one.scalars, option.scalars), one.log + option.log)
+                for one in found for option in options
             ] or found  # fmt: skip
     return found
 
 
-def _noted(one: _Choice, condition: Condition, chance: float) -> dict[str, float]:
-    names = {"set": float(np.log(chance)), f"set.{condition.concept}": float(np.log(chance))}
-    return {name: one.scalars.get(name, 0.0) + amount for name, amount in names.items()}
+def _summed(one: dict[str, float], other: dict[str, float]) -> dict[str, float]:
+    return {name: one.get(name, 0.0) + other.get(name, 0.0) for name in {**one, **other}}
 
 
-def _sets(evaluator: Evaluates, condition: Condition, kind: Array) -> list[tuple[np.ndarray, float]]:
-    found = evaluator.denote(condition.of[0], kind)
-    options = [(mask, max(chance, 1e-3)) for mask, chance in found.sets[:TRIED]] or [(found.likely, 1.0)]
-    options = [(mask, chance) for mask, chance in options if mask.any()]
+def _sets(evaluator: Evaluates, condition: Condition, kind: Array) -> list[_Choice]:
+    """The sets that a membership may mean, with all that speaks for them."""
+    reference = condition.of[0]
+    name = f"set.{condition.concept}"
+    denoted = evaluator.denote(reference, kind)
+    found: list[_Choice] = []
+    if denoted.sets:
+        for mask, row, case, score in best_sets(denoted, evaluator.weights):
+            found.append(_Choice(mask, _summed({name: 1.0}, case.features(row)), score))
+        top = max((choice.log for choice in found), default=0.0)
+        for choice in found:
+            choice.log -= top
+    elif denoted.likely.any():
+        found.append(_Choice(denoted.likely, {name: 1.0}))
     if condition.concept == "those":  # who speaks of several and then of one mostly means one of them
-        options.append((np.ones(len(kind), dtype=bool), 0.05))
-    return options
+        found.append(_Choice(np.ones(len(kind), dtype=bool), {"outside.those": 1.0}, -3.0))
+    return found
+
+
+def best_sets(
+    denoted: Denotation, weights: Mapping[str, float]
+) -> list[tuple[np.ndarray, int, Case, float]]:
+    """The likeliest sets that a referent may mean, each with its case, its place there and its score."""
+    found: dict[bytes, tuple[np.ndarray, int, Case, float]] = {}
+    for case in denoted.cases:
+        scores = case.scores(weights)
+        for row in range(case.size):
+            mask = case.masks[row] if case.masks is not None else np.zeros(0, dtype=bool)
+            key = mask.tobytes()
+            if mask.any() and (key not in found or found[key][3] < scores[row]):
+                found[key] = (mask, row, case, float(scores[row]))
+    return sorted(found.values(), key=lambda item: -item[3])[:TRIED]
 
 
 def _one(

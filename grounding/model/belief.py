@@ -1,0 +1,205 @@
+"""What a text asks for: its readings, over parses and viewpoints, become one distribution over what may be meant."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from grounding.language.parser import Parse
+from grounding.language.tree import Phrase
+from grounding.lexicon.degrees import peak
+from grounding.meaning.discourse.following import read_text
+from grounding.meaning.discourse.told import Told
+from grounding.meaning.nouns import is_measuring, read_noun
+from grounding.meaning.reader import Reader
+from grounding.meaning.reading import Context
+from grounding.meaning.referents import SETS
+from grounding.model.cases import Case, Weights
+from grounding.model.evaluator import EVEN, Evaluator
+from grounding.model.features import BINS, logarithm
+from grounding.model.views import views
+from grounding.world import Array
+from grounding.world.scene import Scene
+
+NEGLIGIBLE = 1e-3  # parses less likely than the best by this factor are not read
+NOTHING: tuple[str, ...] = ()
+"""The option that nothing here is meant."""
+
+Objects = tuple[str, ...]
+
+
+@dataclass(frozen=True, eq=False)
+class Reading:
+    """One parse, read with one view.
+
+    Attributes:
+        place: of the parse in the list.
+        evaluator: with which it was evaluated.
+        told: what it tells.
+        cases: that its target may be.
+        nothing: the case that nothing is what it means.
+    """
+
+    place: int
+    evaluator: Evaluator
+    told: Told
+    cases: tuple[Case, ...]
+    nothing: Case
+
+
+@dataclass(frozen=True, eq=False)
+class Belief:
+    """What is believed of a text.
+
+    Attributes:
+        options: ids of what may be meant with their probabilities, the likeliest first; `NOTHING` among them.
+        readings: the likeliest first.
+        shares: of belief, of the readings in this order.
+        kinds: of action that each option is to be handled with, the likeliest first, with their shares.
+    """
+
+    options: tuple[tuple[Objects, float], ...]
+    readings: tuple[Reading, ...]
+    shares: tuple[float, ...]
+    kinds: dict[Objects, tuple[tuple[str, float], ...]]
+
+    def probability(self, objects: Objects) -> float:
+        """That some objects are meant."""
+        return next((share for names, share in self.options if names == objects), 0.0)
+
+
+def read(
+    parses: Sequence[Parse], scene: Scene, history: Sequence[str] = (), weights: Weights = EVEN
+) -> tuple[Reading, ...]:
+    """Read every likely parse with every view.
+
+    Args:
+        parses: of the text, the likeliest first.
+        scene: the world.
+        history: ids of the objects handled before, the latest last.
+        weights: of features, for what is spoken of on the way.
+    """
+    index = scene.layout.index
+    handled = tuple(index[name] for name in history if name in index)
+    evaluators: dict[str, Evaluator] = {}
+    found = []
+    for place, parse in enumerate(parses):
+        if parse.probability < NEGLIGIBLE * parses[0].probability:
+            continue
+        told = read_text(parse.tree, Reader(Context(handled=bool(handled))))
+        if told.target is None:
+            continue
+        for view, form in views(parse.tree, scene):
+            evaluator = evaluators.setdefault(view, Evaluator(scene, view, handled, weights))
+            cases = evaluator.cases(told.target)
+            nothing = Case(1, np.ones(1))
+            within = evaluator.truth_within(told.target)
+            goal = _goal(told, evaluator)
+            for case in cases:
+                _note(case, parse, parses[0], told, form)
+                _note_within(case, "within", within)
+            _note(nothing, parse, parses[0], told, form)
+            _note_within(nothing, "nothing.within", within)
+            nothing.note("nothing")
+            for name, truth in goal.items():
+                for limit in BINS:
+                    if truth < limit:
+                        nothing.note(f"nothing.{name}<{limit}")
+            nothing.note("nothing.several" if told.target.sort == SETS else "nothing.one")
+            for case in cases:
+                _fit(case)
+            found.append(Reading(place, evaluator, told, tuple(cases), nothing))
+    return tuple(found)
+
+
+def _note(case: Case, parse: Parse, best: Parse, told: Told, form: str) -> None:
+    """Note what a reading says as a whole."""
+    case.note("parse", float(np.log(parse.probability / best.probability)))
+    if form:
+        case.note(f"view.{form}")
+    if told.doubt:
+        case.note("doubt", float(told.doubt))
+    if parse.tree.tag == "FRAG":
+        case.note("fragment")
+
+
+def _note_within(case: Case, name: str, within: float) -> None:
+    """Note how well what is spoken of on the way is there."""
+    case.note(name, float(logarithm(np.array([within]))[0]))
+    for limit in BINS:
+        if within < limit:
+            case.note(f"{name}<{limit}")
+
+
+def _goal(told: Told, evaluator: Evaluator) -> dict[str, float]:
+    """The smallest truths of the things that a destination speaks of, definite ones and others."""
+    reader = Reader(Context(told.target, handled=bool(evaluator.history)))
+    found: dict[str, float] = {}
+    for phrase in told.destination:
+        for inner in _outermost(phrase):
+            noun = read_noun(inner)
+            if noun.head in ("block", "container") and not is_measuring(noun):
+                referent = reader.refer(noun)
+                name = "goal" if noun.definite else "goal.some"
+                found[name] = min(found.get(name, 1.0), evaluator.denote(referent).truth)
+    return found
+
+
+def _outermost(phrase: Phrase) -> list[Phrase]:
+    """The noun phrases that are in no other one."""
+    if phrase.tag == "NP":
+        return [phrase]
+    return [inner for child in phrase.phrases for inner in _outermost(child)]
+
+
+def _fit(case: Case) -> None:
+    """Note how well a case fits what it fits best, and how many it fits."""
+    if case.size:
+        best = peak(case.truth)
+        case.note("fit", float(logarithm(np.array([best]))[0]))
+        case.note("spread", -float(np.log(max(float(case.truth.sum()) / best, 1.0))))
+
+
+def rows_of(reading: Reading) -> list[tuple[Objects, Case, int]]:
+    """All candidates of a reading: the ids that each stands for, its case and its place there."""
+    scene = reading.evaluator.scene
+    ids = scene.layout.ids
+    found: list[tuple[Objects, Case, int]] = [(NOTHING, reading.nothing, 0)]
+    for case in reading.cases:
+        for row in range(case.size):
+            if case.masks is None:
+                found.append(((ids[row],), case, row))
+            elif case.masks[row].any():
+                names = tuple(sorted(ids[i] for i in np.flatnonzero(case.masks[row])))
+                found.append((names, case, row))
+    return found
+
+
+def believe(readings: Sequence[Reading], weights: Weights) -> Belief:
+    """Weigh readings and their candidates together."""
+    scored: list[list[tuple[Objects, float]]] = []
+    for reading in readings:
+        scores: dict[int, Array] = {id(case): case.scores(weights) for case in (*reading.cases, reading.nothing)}
+        scored.append([(names, float(scores[id(case)][row])) for names, case, row in rows_of(reading)])
+    if not scored:
+        return Belief((), (), (), {})
+    best = max(score for rows in scored for _, score in rows)
+    shares: dict[Objects, float] = {}
+    kinds: dict[Objects, dict[str, float]] = {}
+    worth = []
+    for reading, rows in zip(readings, scored, strict=True):
+        total = 0.0
+        for names, score in rows:
+            share = float(np.exp(score - best))
+            total += share
+            shares[names] = shares.get(names, 0.0) + share
+            of = kinds.setdefault(names, {})
+            of[reading.told.kind] = of.get(reading.told.kind, 0.0) + share
+        worth.append(total)
+    whole = sum(shares.values())
+    order = sorted(range(len(readings)), key=lambda i: -worth[i])
+    options = sorted(((names, share / whole) for names, share in shares.items()), key=lambda item: (-item[1], item[0]))
+    ranked = {names: tuple(sorted(of.items(), key=lambda item: (-item[1], item[0]))) for names, of in kinds.items()}
+    return Belief(tuple(options), tuple(readings[i] for i in order), tuple(worth[i] / whole for i in order), ranked)
