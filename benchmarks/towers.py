@@ -22,7 +22,7 @@ from integration.benchmark_summary import distribution, machine
 from integration.executor import Executor
 from integration.worlds import scene_of
 from motion import stacked_on
-from motion.outlines import overlap
+from motion.polygons import overlap
 from motion.poses import about, quaternion
 
 _TABLE = make_object("table", "table", "white", (0.65, 0.0, 0.691), size=(0.7, 1.8, 0.04))

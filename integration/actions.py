@@ -17,7 +17,7 @@ from integration.spots import beside, out_of_the_way, region_of
 from integration.stage import Stage
 from integration.uncovering import uncover
 from motion import Plan, RobotState, Scene
-from motion.state import ARMS
+from motion.robot.state import ARMS
 
 
 def carry_out(stage: Stage, action: GroundedAction, arm: str) -> tuple[Check, ...]:

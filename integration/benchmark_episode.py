@@ -21,7 +21,7 @@ from integration.spots import region_of
 from integration.stage import Watch
 from integration.worlds import scene_of
 from motion import Plan, Pose, Scene
-from motion.recipe import recipe
+from motion.robot.recipe import recipe
 
 _LIFTED = 0.06
 _LIFT_PHASES = ("home", "pregrasp", "approach", "close", "lift")

@@ -11,9 +11,9 @@ from grounding.world import World
 from integration.benchmark_worlds import Episode, reached
 from integration.worlds import scene_of
 from motion import Box, Fault, Jam, Pose, Push, Scene, Sensor, Slip
-from motion.outlines import contains, overlap
+from motion.polygons import contains, overlap
 from motion.poses import about, quaternion
-from motion.state import ARMS
+from motion.robot.state import ARMS
 
 FAULTS = ("slip", "push_before", "push_during", "noise", "gripper", "leaning")
 FAULTY_KINDS = ("pick", "place", "on", "beside")

@@ -12,11 +12,11 @@ from grounding.world import World, make_object
 from integration.worlds import scene_of
 from motion import Box, Pose, Scene, Simulator, UnreachableTarget, grasp_candidates, solve_ik
 from motion.errors import InvalidGoal
-from motion.goals import checked_destination
-from motion.outlines import overlap
+from motion.plan.goals import checked_destination
+from motion.polygons import overlap
 from motion.poses import about, quaternion
+from motion.robot.state import ARMS
 from motion.scene import LEANING
-from motion.state import ARMS
 
 KINDS = ("pick", "place", "on", "beside", "stack", "clear")
 SHARES = (0.4, 0.2, 0.15, 0.1, 0.05, 0.1)

@@ -15,7 +15,7 @@ from numpy.typing import ArrayLike
 
 from integration.outlines import distances_outside
 from motion import Scene
-from motion.outlines import contains
+from motion.polygons import contains
 
 AT_GOAL = 0.005
 UNMOVED = 0.005

@@ -17,7 +17,7 @@ from grounding.world import World, world_from_json, world_to_json
 from integration.errors import IntegrationError
 from integration.worlds import scene_of, world_at
 from motion import Pose
-from motion.settling import Settled, push_about, settle
+from motion.sim.settling import Settled, push_about, settle
 
 COMPOSED, PUSHED = "composed", "pushed"
 PUSHED_EVERY = 3

@@ -15,7 +15,7 @@ from integration.report import DONE, FAILED, NO_PLAN, NOT_GROUNDED, Handled, Rep
 from integration.stage import Planner, Stage, Watch
 from integration.worlds import scene_of, world_at
 from motion import Fault, MotionError, Pose, Sensor, SimulationDiverged
-from motion.state import ARMS
+from motion.robot.state import ARMS
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence

@@ -12,8 +12,8 @@ from integration.incidents import Trouble
 from integration.spots import beside, out_of_the_way, region_of
 from integration.stage import Stage
 from motion import MotionError, Scene
-from motion.goals import heading
-from motion.state import ARMS
+from motion.plan.goals import heading
+from motion.robot.state import ARMS
 
 TRIES = 4
 """How often an object is attempted."""

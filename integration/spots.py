@@ -11,8 +11,8 @@ import motion
 from grounding.pictures.outlines import convex_hull, rounded_hull
 from integration.outlines import distances_outside
 from motion import Scene
+from motion.plan.free_spots import radius
 from motion.scene import standing
-from motion.spots import radius
 
 REGION = 0.02
 """By how much a region is larger than the outline of what lies in it, in [m]."""

@@ -37,7 +37,7 @@ def started(arm: str, seed: int) -> tuple[Executor, Step]:
 def _load_robot() -> None:
     """Loads the robot, ahead of the executor; whatever fails here fails there again, where it is told."""
     try:
-        from motion.robot import load_robot
+        from motion.robot.load import load_robot
 
         load_robot()
     except Exception:

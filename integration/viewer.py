@@ -9,8 +9,8 @@ from typing import Any
 
 from integration.errors import ViewerUnavailable
 from motion import Scene, Simulator
-from motion.compiled import scene_model
-from motion.engine import mujoco
+from motion.collision.scene_model import scene_model
+from motion.physics_engine import mujoco
 
 _EVERY = 1 / 60  # simulated seconds between two pictures
 

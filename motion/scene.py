@@ -90,7 +90,7 @@ class Box:
     @cached_property
     def footprint(self) -> Array:
         """(n, 2) convex outline seen from above, anticlockwise, metres."""
-        from motion.outlines import hull
+        from motion.polygons import hull
 
         signs = np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)])
         corners = self.position + (signs * self.size / 2) @ self.axes.T
@@ -163,7 +163,7 @@ class Scene:
 
     def boxes_above(self, name: str) -> tuple[Box, ...]:
         """The boxes that rest on the box of that name, directly."""
-        from motion.outlines import overlap
+        from motion.polygons import overlap
 
         below = self.box(name)
         return tuple(
@@ -178,7 +178,7 @@ class Scene:
 
     def below(self, name: str) -> frozenset[str]:
         """Names of the boxes, fixed ones too, that the box of that name rests on, directly."""
-        from motion.outlines import overlap
+        from motion.polygons import overlap
 
         box = self.box(name)
         return frozenset(
@@ -192,7 +192,7 @@ class Scene:
 
     def leaning_on(self, name: str) -> tuple[str, ...]:
         """Names of the loose boxes that lean and touch the box of that name: they would fall were it taken away."""
-        from motion.outlines import overlap
+        from motion.polygons import overlap
 
         box = self.box(name)
         return tuple(
@@ -220,7 +220,7 @@ class Scene:
         Raises:
             InvalidGoal: nothing is there to rest on.
         """
-        from motion.outlines import contains
+        from motion.polygons import contains
 
         box = standing(self.box(name))
         point = np.asarray(xy, dtype=np.float64)

@@ -12,7 +12,7 @@ from integration.benchmark_summary import distribution, summarised
 from integration.benchmark_worlds import FEWEST, MOST, draw_episode
 from integration.errors import UsageError
 from integration.worlds import scene_of
-from motion.outlines import overlap
+from motion.polygons import overlap
 
 SETTINGS = {"seed": 0, "faults": False, "language": False}
 

@@ -5,7 +5,7 @@ from by_hand import scene
 from integration.outlines import distances_outside
 from integration.spots import beside, free_spots, out_of_the_way, region_of
 from integration.worlds import scene_of
-from motion.spots import MARGIN, ROOM
+from motion.plan.free_spots import MARGIN, ROOM
 
 
 @pytest.mark.parametrize("name", ["default", "tower", "twenty_mixed"])
