@@ -18,9 +18,9 @@ import numpy as np
 
 from grounding.result import GroundedAction, Grounding
 from grounding.world import World, make_object
-from integration.benchmark_summary import distribution, machine
-from integration.executor import Executor
-from integration.worlds import scene_of
+from integration.benchmark.measures import distribution, machine
+from integration.execute.executor import Executor
+from integration.worlds_and_scenes import scene_of
 from motion import stacked_on
 from motion.polygons import overlap
 from motion.poses import about, quaternion

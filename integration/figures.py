@@ -54,7 +54,7 @@ def rendered(figure: Figure) -> Image.Image:
         InvalidScene: the world cannot be rendered.
     """
     from grounding.experiments.sheets import nothing, on_sheet
-    from integration.views import Studio, close_camera
+    from integration.show.views import Studio, close_camera
 
     panels = figure.panels or (nothing(figure),)
     with Studio(figure.world, _SIZE, close_camera(figure.world)) as studio:

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
 
     from grounding.world import World
-    from integration.report import Report
+    from integration.execute.report import Report
 
 INTERRUPTED, BROKEN_PIPE = 130, 141
 SCENES = Path(__file__).resolve().parents[1] / "models" / "scenes"
@@ -106,7 +106,7 @@ def _run(args: argparse.Namespace, interrupts: Interrupts) -> int:
     if not args.text.strip():
         raise UsageError("the instruction is empty; say something like 'pick up the nearest block'")
     world = load_scene(args.scene)
-    from integration.startup import started
+    from integration.execute.startup import started
 
     with _watching(args, world) as watch:
         executor, loading = started(arm=args.arm, seed=args.seed)
@@ -114,7 +114,7 @@ def _run(args: argparse.Namespace, interrupts: Interrupts) -> int:
         grounding, step = executor.ground(args.text, world)
         drawing = None
         if not args.no_pictures:
-            from integration.pictures import Drawing
+            from integration.show.pictures import Drawing
 
             drawing = Drawing(grounding, world, args.output)
         interrupts.heed()
@@ -130,7 +130,7 @@ def _show(report: Report, args: argparse.Namespace, hint: str | None) -> None:
     if args.json:
         print(json.dumps(report.to_json(), indent=2))
     else:
-        from integration.summary import Style, summary
+        from integration.show.report_text import Style, summary
 
         print(summary(report, Style.of(sys.stdout)))
     if hint:
@@ -145,14 +145,14 @@ def _watching(args: argparse.Namespace, world: World) -> Iterator[Any]:
     watchers: list[Any] = []
     recording, window = None, None
     if args.video is not None or args.view:
-        from integration.recording import Recording
-        from integration.worlds import scene_of
+        from integration.show.video import Recording
+        from integration.worlds_and_scenes import scene_of
 
         if args.video is not None:
             recording = Recording(scene_of(world), args.video)
             watchers.append(recording)
         if args.view:
-            from integration.viewer import Window
+            from integration.show.viewer import Window
 
             window = Window(scene_of(world))
             watchers.append(window)

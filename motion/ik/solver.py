@@ -1,9 +1,9 @@
 """Inverse kinematics of one arm: joints that bring a frame of the hand to its target, or the reason why none do.
 
-Starts come from a table of configurations close to the target (`seeds`), then at random; each is led to the target
-by Levenberg-Marquardt within the joints' ranges (`levenberg_marquardt`) or by mink with a solver of one's choice (`differential`).
-Where every solution is in collision, mink moves the arm along its redundant joint, kept clear of what stands around
-(`avoidance`). What remains unreachable is explained (`reasons`).
+Starts come from a table of configurations close to the target (`seeds`), then at random; each is led to the target by
+Levenberg-Marquardt within the joints' ranges (`levenberg_marquardt`) or by mink with a solver of one's choice
+(`differential`). Where every solution is in collision, mink moves the arm along its redundant joint, kept clear of what
+stands around (`avoidance`). What remains unreachable is explained (`reasons`).
 """
 
 from __future__ import annotations

@@ -7,7 +7,7 @@ import pytest
 from by_hand import scene
 
 from grounding import Grounder
-from integration.worlds import scene_of
+from integration.worlds_and_scenes import scene_of
 from motion import Avoidance, load_robot, reach_box, solve_ik
 from motion.collision.checker import Rules
 

@@ -1,0 +1,1 @@
+"""What happened, for people: text, pictures, videos and a window."""
