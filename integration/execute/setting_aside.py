@@ -25,7 +25,7 @@ def region_of(scene: Scene, names: Sequence[str]) -> np.ndarray:
     return rounded_hull(points, REGION)
 
 
-def free_spots(scene: Scene, name: str, avoid: Sequence[ArrayLike] = ()) -> np.ndarray:
+def spots_clear_of(scene: Scene, name: str, avoid: Sequence[ArrayLike] = ()) -> np.ndarray:
     """Places on tables where an object would rest, clear of every other.
 
     Args:
@@ -45,7 +45,7 @@ def free_spots(scene: Scene, name: str, avoid: Sequence[ArrayLike] = ()) -> np.n
 
 def out_of_the_way(scene: Scene, name: str, region: np.ndarray) -> np.ndarray:
     """Free spots outside a region, (n, 3) in [m]: the near and the outermost first."""
-    spots = free_spots(scene, name, [region])
+    spots = spots_clear_of(scene, name, [region])
     if not len(spots):
         return spots
     box = scene.box(name)
@@ -61,6 +61,6 @@ def out_of_the_way(scene: Scene, name: str, region: np.ndarray) -> np.ndarray:
 
 def beside(scene: Scene, name: str, place: ArrayLike) -> np.ndarray:
     """Free spots, (n, 3) in [m], the nearest to `place`, (3,) in [m], first."""
-    spots = free_spots(scene, name)
+    spots = spots_clear_of(scene, name)
     ways = np.linalg.norm(spots[:, :2] - np.asarray(place, dtype=float)[:2], axis=1)
     return spots[np.lexsort((spots[:, 1], spots[:, 0], np.round(ways, 4)))]

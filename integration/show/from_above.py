@@ -13,12 +13,12 @@ from integration.execute.report import DONE, Report
 from integration.show.report_text import limit, measured
 
 
-def understood_plan(grounding: Grounding, world: World) -> Image.Image:
+def understood_from_above(grounding: Grounding, world: World) -> Image.Image:
     """The world from above, with what the phrases mean marked in it."""
     return draw_plan(world, marks_of(grounding), grounding.instruction)
 
 
-def result_plan(report: Report) -> Image.Image:
+def result_from_above(report: Report) -> Image.Image:
     """The world from above as it was observed at the end, with the checks as its caption."""
     hands = {
         item.arm: report.final_world[item.object].position for item in report.handled if item.action == "pick"

@@ -15,7 +15,7 @@ from grounding.result import Grounding
 from grounding.world import World
 from integration.errors import UsageError
 from integration.execute.report import FAILED, Report, Step
-from integration.show.from_above import result_plan, understood_plan
+from integration.show.from_above import result_from_above, understood_from_above
 from integration.show.views import Studio
 from motion import MotionError, RenderingUnavailable
 
@@ -75,12 +75,12 @@ class Drawing:
                 self._hint = None
         with self._timed(f"draw {UNDERSTOOD}"):
             studio = self._studio
-            drawn = understood_plan(grounding, world) if studio is None else studio.understood(grounding, world)
+            drawn = understood_from_above(grounding, world) if studio is None else studio.understood(grounding, world)
             self._save(drawn, UNDERSTOOD)
 
     def _result(self, report: Report) -> None:
         with self._timed(f"draw {RESULT}"):
-            self._save(result_plan(report) if self._studio is None else self._studio.result(report), RESULT)
+            self._save(result_from_above(report) if self._studio is None else self._studio.result(report), RESULT)
 
     def _close(self) -> None:
         if self._studio is not None:

@@ -3,7 +3,7 @@ import pytest
 from by_hand import scene
 
 from integration.execute.regions import distances_outside
-from integration.execute.setting_aside import beside, free_spots, out_of_the_way, region_of
+from integration.execute.setting_aside import beside, out_of_the_way, region_of, spots_clear_of
 from integration.worlds_and_scenes import scene_of
 from motion.plan.free_spots import MARGIN, ROOM
 
@@ -11,7 +11,7 @@ from motion.plan.free_spots import MARGIN, ROOM
 @pytest.mark.parametrize("name", ["default", "tower", "twenty_mixed"])
 def test_free_spots_keep_away_from_every_other_block_and_from_the_edge(name):
     built = scene_of(scene(name))
-    spots = free_spots(built, "b1")
+    spots = spots_clear_of(built, "b1")
     table = built.box("table")
     assert len(spots) > 100
     for box in built.boxes:
@@ -47,4 +47,4 @@ def test_beside_begins_with_the_nearest():
 def test_no_table_no_spots():
     world = scene("four")
     built = scene_of(world.with_objects(item for item in world.objects if item.type != "table"))
-    assert free_spots(built, "b1").shape == (0, 3)
+    assert spots_clear_of(built, "b1").shape == (0, 3)

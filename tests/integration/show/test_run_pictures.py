@@ -11,7 +11,7 @@ from grounding import Grounding
 from grounding.pictures.palette import MARKS, PASSED
 from integration.errors import UsageError
 from integration.execute.executor import Executor
-from integration.show.from_above import result_plan, understood_plan
+from integration.show.from_above import result_from_above, understood_from_above
 from integration.show.pictures import save_pictures
 from integration.show.views import Studio
 from motion import rendering_available
@@ -39,7 +39,7 @@ def report():
     return Executor().execute(middle_of_the_row(), scene("default"))
 
 
-@pytest.mark.parametrize("draw", [understood_plan, pytest.param(understood_view, marks=needs_opengl)])
+@pytest.mark.parametrize("draw", [understood_from_above, pytest.param(understood_view, marks=needs_opengl)])
 def test_block_and_row_are_marked_in_two_colours(draw):
     world, grounding = scene("default"), middle_of_the_row()
     marked = draw(grounding, world)
@@ -48,12 +48,12 @@ def test_block_and_row_are_marked_in_two_colours(draw):
         assert pixels(marked, color) > pixels(plain, color) + 300
 
 
-@pytest.mark.parametrize("draw", [result_plan, pytest.param(result_view, marks=needs_opengl)])
+@pytest.mark.parametrize("draw", [result_from_above, pytest.param(result_view, marks=needs_opengl)])
 def test_the_end_shows_ticks_and_the_block_ringed(draw, report):
     assert pixels(draw(report), PASSED) > 500
 
 
-@pytest.mark.parametrize("draw", [understood_plan, pytest.param(understood_view, marks=needs_opengl)])
+@pytest.mark.parametrize("draw", [understood_from_above, pytest.param(understood_view, marks=needs_opengl)])
 def test_a_place_shows_where_to(draw):
     world, grounding = scene("tower"), nearest_on_the_green_tower()
     assert draw(grounding, world).size[0] == 1280
@@ -97,4 +97,4 @@ def test_without_opengl_plans_are_drawn_and_the_hint_names_packages(tmp_path):
     assert "libegl1" in result.stdout
     with Image.open(tmp_path / "understood.png") as image:
         drawn = image.convert("RGB")
-    assert np.array_equal(np.asarray(drawn), np.asarray(understood_plan(middle_of_the_row(), scene("default"))))
+    assert np.array_equal(np.asarray(drawn), np.asarray(understood_from_above(middle_of_the_row(), scene("default"))))
