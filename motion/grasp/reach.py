@@ -15,10 +15,10 @@ from motion.collision.checker import CLOSE, SEARCH_GRID, CollisionChecker, Near,
 from motion.errors import GraspUnavailable, UnreachableTarget
 from motion.grasp.approaches import APPROACH
 from motion.grasp.candidates import Grasp, grasp_candidates
+from motion.grasp.targets import checked_target
 from motion.ik.avoidance import Avoidance
 from motion.ik.solver import solve_ik
 from motion.path.search import describe, straight
-from motion.plan.goals import checked_target
 from motion.poses import Array, Pose
 from motion.robot.state import ARMS, RobotState
 from motion.scene import Scene

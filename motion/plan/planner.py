@@ -11,9 +11,10 @@ from numpy.typing import ArrayLike
 
 from motion.errors import InvalidGoal, MotionError
 from motion.grasp.candidates import Grasp, grasp_candidates
+from motion.grasp.targets import checked_arms, checked_target
 from motion.plan.attempts import BRIEF, THOROUGH, Attempt, Effort
 from motion.plan.failures import Failures
-from motion.plan.goals import checked_arms, checked_destination, checked_lift, checked_start, checked_target, heading
+from motion.plan.goals import checked_destination, checked_lift, checked_start, heading
 from motion.plan.plans import Plan
 from motion.plan.ways import Goals, Ways, first_plan
 from motion.robot.recipe import recipe

@@ -8,8 +8,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from motion.errors import GraspUnavailable, InvalidGoal, MotionError
+from motion.grasp.targets import checked_target
 from motion.plan.free_spots import free_spots
-from motion.plan.goals import checked_target
 from motion.plan.planner import plan_place
 from motion.plan.plans import Plan
 from motion.polygons import overlap
