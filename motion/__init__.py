@@ -70,8 +70,9 @@ from motion.grasp.candidates import Grasp, grasp_candidates
 from motion.grasp.reach import Reach, reach_box, reach_grasp
 from motion.grasp.reach_map import Reachable, ReachMap, reach_map
 from motion.ik.avoidance import Avoidance
+from motion.ik.postures import reachable, solutions
 from motion.ik.servo import servo
-from motion.ik.solver import IkSolution, reachable, solutions, solve_ik
+from motion.ik.solver import IkSolution, solve_ik
 from motion.path.trajectory import Trajectory
 from motion.plan.free_spots import free_spots
 from motion.plan.planner import plan_home, plan_pick, plan_place

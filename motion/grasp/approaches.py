@@ -16,7 +16,7 @@ import numpy as np
 from motion.collision.checker import CLEARANCE, SEARCH_GRID, CollisionChecker, Near, Rules
 from motion.errors import MotionError, UnreachableTarget
 from motion.grasp.candidates import Grasp
-from motion.ik.solver import solutions
+from motion.ik.postures import solutions
 from motion.path.search import describe, straight
 from motion.path.travel import in_collision
 from motion.poses import Array, Pose

@@ -23,7 +23,8 @@ from motion.errors import InvalidGoal, InvalidScene, UnreachableTarget
 from motion.grasp.approaches import APPROACH
 from motion.grasp.candidates import TILTS, Grasp, grasp_candidates
 from motion.grasp.reach import LIFT
-from motion.ik.solver import solve_ik, track
+from motion.ik.solver import solve_ik
+from motion.ik.tracking import track
 from motion.poses import Array, Pose, frozen
 from motion.progress_bar import Progress
 from motion.robot.recipe import recipe

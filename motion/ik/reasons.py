@@ -10,8 +10,8 @@ import numpy as np
 from motion.collision.checker import Near
 from motion.errors import UnreachableTarget
 from motion.ik.levenberg_marquardt import Descent, descend
+from motion.ik.problem import Problem
 from motion.poses import Array, Pose
-from motion.robot.kinematics import ArmKinematics
 from motion.robot.load import Arm
 
 _STARTS = 6
@@ -69,26 +69,22 @@ def in_collision(arm: Arm, target: Pose, conflicts: Sequence[Near], refused: int
     )
 
 
-def out_of_reach(
-    arm: Arm, kinematics: ArmKinematics, target: Pose, last: Pose, starts: Sequence[Array], tried: int
-) -> UnreachableTarget:
+def out_of_reach(problem: Problem, starts: Sequence[Array], tried: int) -> UnreachableTarget:
     """No start led there: would one without the joints' ranges?
 
     The ranges are dropped and the target is sought once more. Where it is met, the joints that leave their range, by
     as little as possible, are what keeps the arm from it; else the target is too far.
 
     Args:
-        arm: the arm.
-        kinematics: its kinematics.
-        target: of the tool frame.
-        last: of the last joint's frame.
+        problem: what was to be solved.
         starts: joints to start from, the most promising first.
         tried: how many starts were used before.
     """
+    arm, kinematics, target = problem.arm, problem.kinematics, problem.target
     best: tuple[float, Array] | None = None
     nearest: Descent | None = None
     for start in starts[:_STARTS]:
-        descent = descend(kinematics, last, start, lower=-_UNBOUNDED, upper=_UNBOUNDED)
+        descent = descend(kinematics, problem.last, start, lower=-_UNBOUNDED, upper=_UNBOUNDED)
         if descent.reached:
             joints = (descent.joints + np.pi) % (2 * np.pi) - np.pi
             beyond = np.maximum(arm.lower - joints, 0) + np.maximum(joints - arm.upper, 0)

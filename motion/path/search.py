@@ -11,7 +11,7 @@ import numpy as np
 
 from motion.collision.checker import GRID, CollisionChecker, Near, Rules
 from motion.errors import PathNotFound, PlanInCollision
-from motion.ik.solver import track
+from motion.ik.tracking import track
 from motion.path.sampling import Free, sampled
 from motion.poses import Array, Pose
 from motion.robot.load import load_robot

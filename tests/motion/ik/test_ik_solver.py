@@ -4,7 +4,9 @@ from motion_layouts import TABLE
 
 from motion import Avoidance, Box, Scene, reachable
 from motion.errors import InvalidGoal, UnreachableTarget
-from motion.ik.solver import solutions, solve_ik, track
+from motion.ik.postures import solutions
+from motion.ik.solver import solve_ik
+from motion.ik.tracking import track
 from motion.poses import Pose, about
 from motion.robot.load import load_robot
 from motion.robot.recipe import recipe
