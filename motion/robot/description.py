@@ -42,28 +42,18 @@ def overlaid_urdf(folder: Path, recipe: Recipe) -> ET.Element:
     """The URDF of `folder` with the overlay applied; mesh names stay relative to `folder`."""
     robot = ET.parse(folder / "urdf" / "baxter.urdf").getroot()
     for kind in ("transmission", "gazebo"):
-        for element in robot.findall(kind):
-            robot.remove(element)
-    links = {link.get("name", ""): link for link in robot.findall("link")}
+        _remove_all(robot, kind)
+    for joint in robot.findall("joint"):
+        _remove_all(joint, "mimic")
     _stand(robot, recipe.base_height)
+    links = {link.get("name", ""): link for link in robot.findall("link")}
     for side in ("l", "r"):
         _replace_shapes(links[f"r_gripper_{side}_finger_tip"], links[f"l_gripper_{side}_finger_tip"])
     for name, link in links.items():
-        for collision in link.findall("collision"):
-            sphere = collision.find("geometry/sphere")
-            if sphere is not None and float(sphere.get("radius", "1")) <= recipe.dummy_sphere_radius:
-                link.remove(collision)
-        inertia = link.find("inertial/inertia")
-        if inertia is not None:
-            for part, value in recipe.inertia.items():
-                if name.endswith(part) or name.endswith(f"{part}_link"):
-                    for axis in ("ixx", "iyy", "izz"):
-                        inertia.set(axis, repr(value))
-                    for product in ("ixy", "ixz", "iyz"):
-                        inertia.set(product, "0")
-    for joint in robot.findall("joint"):
-        for mimic in joint.findall("mimic"):
-            joint.remove(mimic)
+        _remove_dummies(link, recipe.dummy_sphere_radius)
+        for part, value in recipe.inertia.items():
+            if name.endswith((part, f"{part}_link")):
+                _set_inertia(link, value)
     for mesh in robot.iter("mesh"):
         mesh.set("filename", mesh.get("filename", "").removeprefix(PREFIX))
     return robot
@@ -85,10 +75,34 @@ def _stand(robot: ET.Element, height: float) -> None:
     robot.append(joint)
 
 
+def _remove_all(element: ET.Element, kind: str) -> None:
+    """Removes the direct children of that kind."""
+    for child in element.findall(kind):
+        element.remove(child)
+
+
 def _replace_shapes(link: ET.Element, model: ET.Element) -> None:
     """Gives `link` the visual and collision shapes of `model`."""
     for kind in ("visual", "collision"):
-        for element in link.findall(kind):
-            link.remove(element)
+        _remove_all(link, kind)
         for element in model.findall(kind):
             link.append(copy.deepcopy(element))
+
+
+def _remove_dummies(link: ET.Element, radius: float) -> None:
+    """Removes the collision spheres of at most `radius` metres, which stand for "no collision shape"."""
+    for collision in link.findall("collision"):
+        sphere = collision.find("geometry/sphere")
+        if sphere is not None and float(sphere.get("radius", "1")) <= radius:
+            link.remove(collision)
+
+
+def _set_inertia(link: ET.Element, value: float) -> None:
+    """Gives `link`, if it has an inertia, the same one about every axis, kg m²."""
+    inertia = link.find("inertial/inertia")
+    if inertia is None:
+        return
+    for axis in ("ixx", "iyy", "izz"):
+        inertia.set(axis, repr(value))
+    for product in ("ixy", "ixz", "iyz"):
+        inertia.set(product, "0")
