@@ -8,68 +8,25 @@ checked against one another, unless one of them is held.
 from __future__ import annotations
 
 import copy
-import itertools
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, field
 from functools import lru_cache
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from motion.collision.grid import GRID, bisected, dense, resampled
+from motion.collision.rules import CLEARANCE, CLOSE, Near, Rules
 from motion.collision.scene_model import SceneModel, scene_model
 from motion.physics_engine import mujoco
 from motion.poses import Array, Pose
 from motion.robot.state import RobotState
 from motion.scene import Scene
 
-GRID = 0.005
-"""Longest step of any joint between two configurations of a trajectory that is verified, radians."""
-SEARCH_GRID = 0.02
-"""The same while a path is searched for: what is found is verified on the finer grid."""
-CLEARANCE = 0.005
-"""Distance kept from everything where no contact is meant, metres."""
-CLOSE = 0.0015
-"""Distance that the hand keeps from what it must come close to: what its box stands on, or stands next to; metres."""
-
 _RESTING_OVERLAP = 0.003
 _ROBOT, _THINGS = 1, 2
 
-
 Flags = NDArray[np.bool_]
-
-
-class Near(NamedTuple):
-    """Two bodies that are nearer than allowed.
-
-    Attributes:
-        bodies: their names.
-        distance: metres; negative is penetration.
-        place: where, x, y, z in metres.
-    """
-
-    bodies: tuple[str, str]
-    distance: float
-    place: tuple[float, float, float] = (np.nan, np.nan, np.nan)
-
-
-@dataclass(frozen=True)
-class Rules:
-    """What may be near to what.
-
-    Attributes:
-        clearance: distance that all other pairs keep, metres.
-        hand_clearance: distance that the moving hand and what it holds keep from boxes, metres.
-        touching: names of boxes that the hand may touch.
-        resting: names of bodies that the held box may touch.
-        close: names of boxes to which the hand, and what it holds, may come as near as `CLOSE`.
-    """
-
-    clearance: float = CLEARANCE
-    hand_clearance: float = CLEARANCE
-    touching: frozenset[str] = field(default_factory=frozenset)
-    resting: frozenset[str] = field(default_factory=frozenset)
-    close: frozenset[str] = field(default_factory=frozenset)
 
 
 class CollisionChecker:
@@ -217,7 +174,7 @@ class CollisionChecker:
     def free(self, first: Array, second: Array, rules: Rules, grid: float = GRID) -> bool:
         """Whether the line between two configurations is free; checked in halves, so that conflicts show early."""
         steps = max(1, int(np.ceil(np.max(np.abs(second - first)) / grid)))
-        return all(self.nearest(first + (second - first) * k / steps, rules) is None for k in _bisected(steps))
+        return all(self.nearest(first + (second - first) * k / steps, rules) is None for k in bisected(steps))
 
     def _place(self, joints: Array) -> None:
         """Moves the arm, and the held box with it, and finds what is near to what."""
@@ -294,33 +251,3 @@ def _workspace(indices: SceneModel, held: str | None, margin: float = CLEARANCE)
 def _both(table: Array, first: Flags, second: Flags, value: float) -> None:
     table[np.ix_(first, second)] = value
     table[np.ix_(second, first)] = value
-
-
-def dense(path: Sequence[Array], grid: float = GRID) -> Iterable[Array]:
-    """Configurations along straight lines through `path`, no joint moving by more than `grid` between two."""
-    if len(path):
-        yield path[0]
-    for first, second in itertools.pairwise(path):
-        steps = max(1, int(np.ceil(np.max(np.abs(second - first)) / grid)))
-        for k in range(1, steps + 1):
-            yield first + (second - first) * (k / steps)
-
-
-def resampled(positions: Array, grid: float = GRID) -> Array:
-    """(m, 7) configurations along (n, 7) `positions`, no joint moving by more than `grid` between two."""
-    along = np.concatenate([[0.0], np.cumsum(np.max(np.abs(np.diff(positions, axis=0)), axis=1))])
-    places = np.linspace(0.0, along[-1], int(np.ceil(along[-1] / grid - 1e-9)) + 1)
-    return np.column_stack([np.interp(places, along, column) for column in positions.T])
-
-
-def _bisected(steps: int) -> list[int]:
-    """0 .. steps, ends first, then ever finer halves."""
-    order, seen = [0, steps], {0, steps}
-    stride = 1 << max(0, steps - 1).bit_length()
-    while stride >= 1:
-        for k in range(0, steps + 1, stride):
-            if k not in seen:
-                seen.add(k)
-                order.append(k)
-        stride //= 2
-    return order

@@ -11,7 +11,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from motion.collision.checker import CLOSE, SEARCH_GRID, CollisionChecker, Near, Rules
+from motion.collision.checker import CollisionChecker
+from motion.collision.grid import SEARCH_GRID
+from motion.collision.rules import CLOSE, Near, Rules
 from motion.errors import GraspUnavailable, UnreachableTarget
 from motion.grasp.approaches import APPROACH
 from motion.grasp.candidates import Grasp, grasp_candidates

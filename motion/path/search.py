@@ -9,7 +9,9 @@ from functools import partial
 
 import numpy as np
 
-from motion.collision.checker import GRID, CollisionChecker, Near, Rules
+from motion.collision.checker import CollisionChecker
+from motion.collision.grid import GRID
+from motion.collision.rules import Near, Rules
 from motion.errors import PathNotFound, PlanInCollision
 from motion.ik.tracking import track
 from motion.path.sampling import Free, sampled

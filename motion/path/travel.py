@@ -10,7 +10,9 @@ from functools import partial
 
 import numpy as np
 
-from motion.collision.checker import GRID, SEARCH_GRID, CollisionChecker, Near, Rules
+from motion.collision.checker import CollisionChecker
+from motion.collision.grid import GRID, SEARCH_GRID
+from motion.collision.rules import Near, Rules
 from motion.errors import PlanInCollision
 from motion.path.search import connect, describe
 from motion.path.smoothing import smoothed

@@ -15,7 +15,8 @@ from motion import (
     reach_box,
     reach_grasp,
 )
-from motion.collision.checker import CollisionChecker, Rules
+from motion.collision.checker import CollisionChecker
+from motion.collision.rules import Rules
 from motion.poses import Pose, about
 from motion.robot.state import RobotState
 

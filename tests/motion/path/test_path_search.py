@@ -3,7 +3,8 @@ import pytest
 from motion_layouts import TABLE, TOP
 
 from motion import Box, PathNotFound, Pose, RobotState, Scene
-from motion.collision.checker import CollisionChecker, Near, Rules
+from motion.collision.checker import CollisionChecker
+from motion.collision.rules import Near, Rules
 from motion.errors import PlanInCollision
 from motion.ik.solver import solve_ik
 from motion.path.search import connect, describe, straight
