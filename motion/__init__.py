@@ -84,10 +84,11 @@ from motion.robot.kinematics import ArmKinematics
 from motion.robot.load import Robot, load_robot
 from motion.robot.state import RobotState
 from motion.scene import Box, Scene
+from motion.sim.execution import Execution, PhaseRecord
 from motion.sim.faults import Fault, Jam, Push, Slip
 from motion.sim.rendering import CAMERAS, Camera, Marker, Renderer, rendering_available
 from motion.sim.sensing import Sensor
-from motion.sim.simulator import Execution, PhaseRecord, Simulator
+from motion.sim.simulator import Simulator
 
 __all__ = [
     "CAMERAS",

@@ -1,15 +1,9 @@
-"""Physics: the robot and the boxes in MuJoCo, the controllers that follow plans, and what can be observed.
-
-The arms are position servos. Their set point leads the plan by what its velocity and acceleration ask of the servo
-(feedforward by MuJoCo's mass matrix), and a slow, bounded integral takes out what remains, such as the weight of a
-held block.
-"""
+"""Physics: the robot and the boxes in MuJoCo, plans that are carried out there, and what can be observed."""
 
 from __future__ import annotations
 
 import copy
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from types import TracebackType
 from typing import Any
 
@@ -25,67 +19,18 @@ from motion.robot.recipe import recipe
 from motion.robot.state import ARMS, RobotState
 from motion.scene import Scene
 from motion.sim.braking import braked
+from motion.sim.contacts import Pair, between_fingers, touching_pairs, unintended_pairs
+from motion.sim.controller import Controller
+from motion.sim.execution import Execution, PhaseRecord
 from motion.sim.faults import Fault, Injector, Push
 
 _START_TOLERANCE = 0.02
-_INTEGRAL_RATE = 4.0
-_INTEGRAL_BOUND = 0.03
 _OBSERVE_EVERY = 5
 _STILL = 2e-3
-_TOUCHING = 1e-4
 
 StepCallback = Callable[["Simulator"], None]
 Until = Callable[["Simulator"], str | None]
 """Looked at every 10 ms of a phase; what it returns, unless None, is why the phase is left."""
-
-
-@dataclass(frozen=True)
-class PhaseRecord:
-    """What happened in one phase.
-
-    Attributes:
-        name: the phase's.
-        duration: simulated seconds.
-        tracking_error: largest deviation of a joint from the plan, radians.
-        gripper_width: measured opening at its end, metres.
-        contacts: pairs of bodies that touched although neither the fingers on the target nor boxes among themselves.
-        left: why the phase was left before its end, or None.
-    """
-
-    name: str
-    duration: float
-    tracking_error: float
-    gripper_width: float
-    contacts: tuple[tuple[str, str], ...]
-    left: str | None = None
-
-
-@dataclass(frozen=True)
-class Execution:
-    """What happened when a plan was carried out.
-
-    Attributes:
-        phases: in order.
-        holding: names of the boxes between the fingers of the plan's arm at the end.
-    """
-
-    phases: tuple[PhaseRecord, ...]
-    holding: tuple[str, ...]
-
-    @property
-    def duration(self) -> float:
-        """Simulated seconds."""
-        return sum(phase.duration for phase in self.phases)
-
-    @property
-    def tracking_error(self) -> float:
-        """Largest deviation of a joint from the plan, radians."""
-        return max((phase.tracking_error for phase in self.phases), default=0.0)
-
-    @property
-    def contacts(self) -> tuple[tuple[str, str], ...]:
-        """All unintended contacts, sorted."""
-        return tuple(sorted({pair for phase in self.phases for pair in phase.contacts}))
 
 
 class Simulator:
@@ -114,14 +59,8 @@ class Simulator:
         state = RobotState.home() if state is None else state
         self._indices.write_boxes(self._data, scene)
         self._indices.write_robot(self._data, state)
-        self._reference = {arm: np.array(state.joints(arm)) for arm in ARMS}
-        self._width = {arm: state.widths[arm] for arm in ARMS}
-        self._integral = {arm: np.zeros(7) for arm in ARMS}
-        gains = recipe().actuators
-        self._kp, self._kv = np.array(gains["kp"], float), np.array(gains["kv"], float)
-        self._acceleration = np.zeros(self._model.nv)
-        self._torque = np.zeros(self._model.nv)
-        self._command(None, np.zeros(7), np.zeros(7))
+        self._controller = Controller(self._indices, self._model, state, self._injector)
+        self._controller.command(self._data)
         mujoco.mj_forward(self._model, self._data)
 
     def __enter__(self) -> Simulator:
@@ -171,7 +110,8 @@ class Simulator:
         """
         widths = {arm: self.gripper_width(arm) for arm in ARMS}
         held = {arm: names[0] for arm in ARMS if (names := self.holding(arm))}
-        return RobotState(self._reference["left"], self._reference["right"], widths, held)
+        reference = self._controller.reference
+        return RobotState(reference["left"], reference["right"], widths, held)
 
     @property
     def happened(self) -> tuple[Fault, ...]:
@@ -193,26 +133,19 @@ class Simulator:
 
     def tracking_error(self, arm: str) -> float:
         """Largest deviation of a joint from where it should be, radians."""
-        return float(np.abs(self._data.qpos[self._indices.arm_qpos[arm]] - self._reference[arm]).max())
+        return float(np.abs(self._data.qpos[self._indices.arm_qpos[arm]] - self._controller.reference[arm]).max())
 
     def contacts(self) -> tuple[tuple[str, str], ...]:
         """Pairs of bodies that touch now, sorted; a body is a box, a link of the robot, or "floor"."""
         # What sleeps has no contacts in the simulation itself, so they are found anew, without sleep.
-        bodies, scratch = self._indices.bodies, self._scratch
-        scratch.qpos[:] = self._data.qpos
-        mujoco.mj_kinematics(self._awake, scratch)
-        mujoco.mj_collision(self._awake, scratch)
-        touching = scratch.contact.geom[np.asarray(scratch.contact.dist) <= _TOUCHING]
-        return tuple(sorted({(min(bodies[a], bodies[b]), max(bodies[a], bodies[b])) for a, b in touching}))
+        self._scratch.qpos[:] = self._data.qpos
+        mujoco.mj_kinematics(self._awake, self._scratch)
+        mujoco.mj_collision(self._awake, self._scratch)
+        return touching_pairs(self._indices, self._scratch)
 
     def holding(self, arm: str) -> tuple[str, ...]:
         """Names of the boxes that both fingers of an arm touch."""
-        geoms = self._data.contact.geom[np.asarray(self._data.contact.dist) <= _TOUCHING]
-        names: list[set[str]] = []
-        for finger in self._indices.finger_geoms[arm]:
-            others = np.concatenate([geoms[finger[geoms[:, 0]], 1], geoms[finger[geoms[:, 1]], 0]])
-            names.append({self._indices.bodies[geom] for geom in others})
-        return tuple(sorted(name for name in names[0] & names[1] if name in self._indices.box_qpos))
+        return between_fingers(self._indices, self._data, arm)
 
     def copy_positions(self, data: Any) -> None:
         """Writes all positions into the MjData of another model of the same scene, such as the one that is rendered."""
@@ -243,7 +176,7 @@ class Simulator:
             InvalidGoal: it does not.
         """
         for arm in ARMS:
-            gap = float(np.max(np.abs(plan.start.joints(arm) - self._reference[arm])))
+            gap = float(np.max(np.abs(plan.start.joints(arm) - self._controller.reference[arm])))
             if gap > _START_TOLERANCE:
                 raise InvalidGoal(
                     f"the plan begins {gap:.3f} rad from where the {arm} arm is; plan with start=simulator.state()",
@@ -253,7 +186,7 @@ class Simulator:
     def hold(self, seconds: float, on_step: StepCallback | None = None) -> None:
         """Lets time pass while the robot keeps still."""
         for _ in range(round(seconds / self._model.opt.timestep)):
-            self._command(None, np.zeros(7), np.zeros(7))
+            self._controller.command(self._data)
             self._step(on_step)
         self._check()
 
@@ -261,7 +194,7 @@ class Simulator:
         """Lets time pass until nothing moves any more, `seconds` at most; whether nothing does."""
         dofs = [dof for start in self._indices.box_dof.values() for dof in range(start, start + 6)]
         for count in range(round(seconds / self._model.opt.timestep)):
-            self._command(None, np.zeros(7), np.zeros(7))
+            self._controller.command(self._data)
             self._step(None)
             if count >= 25 and (not dofs or np.max(np.abs(self._data.qvel[dofs])) < _STILL):
                 return True
@@ -288,53 +221,34 @@ class Simulator:
         Raises:
             SimulationDiverged: the physics broke down.
         """
-        trajectory = phase.trajectory
+        trajectory, controller = phase.trajectory, self._controller
         steps = whole = len(trajectory.positions) - 1
-        before, error, k, offset = self._width[arm], 0.0, 0, 0
-        contacts: set[tuple[str, str]] = set()
+        before, error, k, offset = controller.width[arm], 0.0, 0, 0
+        contacts: set[Pair] = set()
         reason: str | None = None
         while k < steps:
             k += 1
-            self._reference[arm] = trajectory.positions[k]
+            controller.reference[arm] = trajectory.positions[k]
             if reason is None:
-                self._width[arm] = before + (phase.gripper - before) * k / whole
+                controller.width[arm] = before + (phase.gripper - before) * k / whole
             if self._injector is not None and self._injector.waiting:
                 self._injector.begin(arm, phase.name, (offset + k) / whole, self.time, self.holding(arm))
-            self._command(arm, trajectory.velocities[k], trajectory.accelerations[k])
+            controller.command(self._data, arm, trajectory.velocities[k], trajectory.accelerations[k])
             self._step(on_step)
             error = max(error, self.tracking_error(arm))
             if k % _OBSERVE_EVERY == 0:
-                contacts |= self._unintended(arm, target, phase)
+                contacts |= self._unintended(arm, target)
                 reason = until(self) if until is not None and reason is None else reason
                 if reason is not None and offset == 0:
                     trajectory = braked(trajectory, k, recipe().limits)
                     steps, offset, k = len(trajectory.positions) - 1, k, 0
         if reason is None:
-            self._width[arm] = phase.gripper
+            controller.width[arm] = phase.gripper
         self._check()
         seconds = (offset + k) * trajectory.period
         return PhaseRecord(phase.name, seconds, error, self.gripper_width(arm), tuple(sorted(contacts)), reason)
 
     # How.
-
-    def _command(self, moving: str | None, velocity: Array, acceleration: Array) -> None:
-        """Writes the set points of both arms, both grippers and the head."""
-        model, data, indices = self._model, self._data, self._indices
-        closed, step = recipe().gripper.closed, model.opt.timestep
-        for arm in ARMS:
-            deviation = self._reference[arm] - data.qpos[indices.arm_qpos[arm]]
-            lead = self._integral[arm] + _INTEGRAL_RATE * step * deviation
-            lead = self._integral[arm] = np.minimum(np.maximum(lead, -_INTEGRAL_BOUND), _INTEGRAL_BOUND)
-            if arm == moving:
-                self._acceleration[indices.arm_dof[arm]] = acceleration
-                mujoco.mj_mulM(model, data, self._torque, self._acceleration)
-                self._acceleration[indices.arm_dof[arm]] = 0.0
-                lead = lead + (self._kv * velocity + self._torque[indices.arm_dof[arm]]) / self._kp
-            data.ctrl[indices.arm_ctrl[arm]] = self._reference[arm] + lead
-            width = self._width[arm]
-            if self._injector is not None:
-                width = self._injector.width(arm, width, self.time)
-            data.ctrl[indices.gripper_ctrl[arm]] = (width - closed) / 2
 
     def _step(self, on_step: StepCallback | None) -> None:
         if self._injector is not None:
@@ -347,24 +261,9 @@ class Simulator:
         if not (np.all(np.isfinite(self._data.qpos)) and np.all(np.isfinite(self._data.qvel))):
             raise SimulationDiverged(f"the physics broke down at {self.time:.3f} s: positions are not finite")
 
-    def _unintended(self, arm: str, target: str | None, phase: Phase) -> set[tuple[str, str]]:
-        geoms = self._data.contact.geom
-        if len(geoms) == 0:
-            return set()
-        robot, hand, bodies = self._indices.robot_geoms, self._indices.hand_geoms[arm], self._indices.bodies
-        found = set()
-        for first, second in geoms[np.any(robot[geoms], axis=1)]:
-            if robot[first] and robot[second]:
-                if hand[first] and hand[second]:
-                    continue
-            else:
-                box = bodies[second if robot[first] else first]
-                if box == target and hand[first if robot[first] else second]:
-                    continue
-                if box in self._in_other_hand(arm):
-                    continue
-            found.add((min(bodies[first], bodies[second]), max(bodies[first], bodies[second])))
-        return found
-
-    def _in_other_hand(self, arm: str) -> tuple[str, ...]:
-        return tuple(name for other in ARMS if other != arm for name in self.holding(other))
+    def _unintended(self, arm: str, target: str | None) -> set[Pair]:
+        found = unintended_pairs(self._indices, self._data, arm, target)
+        if not found:
+            return found
+        carried = {name for other in ARMS if other != arm for name in self.holding(other)}
+        return {pair for pair in found if carried.isdisjoint(pair)}
