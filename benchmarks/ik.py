@@ -23,7 +23,7 @@ import numpy as np
 from ik_baselines import Solve, brute_force, damped_least_squares, installed, met, with_mink, with_pink
 
 from motion import Box, GraspUnavailable, Pose, Scene, UnreachableTarget, grasp_candidates, load_robot, solve_ik
-from motion.collision.rules import Rules
+from motion.collision.clearance import Rules
 from motion.ik.avoidance import Avoidance
 from motion.polygons import overlap
 from motion.poses import about, quaternion

@@ -14,8 +14,8 @@ from integration.benchmark.fault_cases import FAULTY_KINDS, FaultCase, draw_faul
 from integration.benchmark.random_worlds import KINDS, Episode, draw_episode
 from integration.benchmark.spoken_goals import draw_spoken
 from integration.execute.checks import AT_GOAL, UNMOVED
+from integration.execute.distances import distances_outside
 from integration.execute.executor import Executor
-from integration.execute.regions import distances_outside
 from integration.execute.report import DONE, Report
 from integration.execute.setting_aside import region_of
 from integration.execute.stage import Watch

@@ -16,7 +16,7 @@ from integration.corpus.instructions import Sentences, make_sentences
 from integration.corpus.settings import CORPUS, HELD_OUT, SUMMARY, Folder, Settings
 from integration.corpus.settled_worlds import SettledWorld, settle_worlds, settled_from_json
 from integration.corpus.videos import make_videos
-from integration.corpus.workers import Workers
+from integration.workers import Workers
 
 SETTLED_A_PART = 20
 

@@ -19,7 +19,7 @@ from grounding.world import world_from_json, world_to_json
 from integration.corpus.bounding_boxes import pictured
 from integration.corpus.settings import IMAGES, INDEX, Folder, Settings, write_whole
 from integration.corpus.settled_worlds import SettledWorld
-from integration.corpus.workers import Workers
+from integration.workers import Workers
 
 IMAGES_A_PART = 4
 _KINDS = ("circle", "tower", "column", "row", "group")

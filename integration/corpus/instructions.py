@@ -19,7 +19,7 @@ from grounding.symbols import Action
 from integration.corpus.constructions import constructions
 from integration.corpus.settings import Folder, Settings
 from integration.corpus.settled_worlds import SettledWorld, settled_from_json
-from integration.corpus.workers import Workers
+from integration.workers import Workers
 
 WORLDS_A_PART = 5
 PARTS_A_BATCH = 16

@@ -23,10 +23,10 @@ from grounding.world import World, world_from_json, world_to_json
 from integration.benchmark.random_worlds import reached
 from integration.corpus.settings import INDEX, VIDEOS, Folder, Settings
 from integration.corpus.settled_worlds import SettledWorld
-from integration.corpus.workers import Workers
 from integration.execute.executor import Executor
 from integration.execute.report import DONE
 from integration.show.video import Recording
+from integration.workers import Workers
 from integration.worlds_and_scenes import scene_of
 from motion import Pose, rendering_available
 

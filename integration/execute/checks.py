@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from integration.execute.regions import distances_outside
+from integration.execute.distances import distances_outside
 from motion import Scene
 from motion.polygons import contains
 

@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike
 
 import motion
 from grounding.pictures.outlines import convex_hull, rounded_hull
-from integration.execute.regions import distances_outside
+from integration.execute.distances import distances_outside
 from motion import Scene
 from motion.plan.free_spots import radius
 from motion.scene import standing

@@ -15,8 +15,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from motion.collision.clearance import CLEARANCE, CLOSE, Near, Rules
 from motion.collision.grid import GRID, bisected, dense, resampled
-from motion.collision.rules import CLEARANCE, CLOSE, Near, Rules
 from motion.collision.scene_model import SceneModel, scene_model
 from motion.physics_engine import mujoco
 from motion.poses import Array, Pose

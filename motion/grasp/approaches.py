@@ -14,8 +14,8 @@ from typing import NamedTuple
 import numpy as np
 
 from motion.collision.checker import CollisionChecker
+from motion.collision.clearance import CLEARANCE, Near, Rules
 from motion.collision.grid import SEARCH_GRID
-from motion.collision.rules import CLEARANCE, Near, Rules
 from motion.errors import MotionError, UnreachableTarget
 from motion.grasp.candidates import Grasp
 from motion.ik.postures import solutions

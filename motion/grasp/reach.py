@@ -12,8 +12,8 @@ from typing import NamedTuple
 import numpy as np
 
 from motion.collision.checker import CollisionChecker
+from motion.collision.clearance import CLOSE, Near, Rules
 from motion.collision.grid import SEARCH_GRID
-from motion.collision.rules import CLOSE, Near, Rules
 from motion.errors import GraspUnavailable, UnreachableTarget
 from motion.grasp.approaches import APPROACH
 from motion.grasp.candidates import Grasp, grasp_candidates

@@ -19,7 +19,7 @@ import numpy as np
 
 from motion.cache import cached_folder
 from motion.collision.checker import CollisionChecker
-from motion.collision.rules import CLOSE, Rules
+from motion.collision.clearance import CLOSE, Rules
 from motion.errors import InvalidGoal, InvalidScene, UnreachableTarget
 from motion.grasp.approaches import APPROACH
 from motion.grasp.candidates import TILTS, Grasp, grasp_candidates

@@ -8,7 +8,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from motion.collision.checker import CollisionChecker
-from motion.collision.rules import Near, Rules
+from motion.collision.clearance import Near, Rules
 from motion.ik.levenberg_marquardt import Descent
 from motion.poses import Array, Pose
 from motion.robot.load import load_robot

@@ -12,7 +12,7 @@ import copy
 import mink
 import numpy as np
 
-from motion.collision.rules import CLOSE, Rules
+from motion.collision.clearance import CLOSE, Rules
 from motion.collision.scene_model import scene_model
 from motion.physics_engine import mujoco
 from motion.poses import Array

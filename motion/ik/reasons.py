@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from motion.collision.rules import Near
+from motion.collision.clearance import Near
 from motion.errors import UnreachableTarget
 from motion.ik.levenberg_marquardt import Descent, descend
 from motion.ik.problem import Problem

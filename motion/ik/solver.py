@@ -16,7 +16,7 @@ import numpy as np
 import pinocchio
 from numpy.typing import ArrayLike
 
-from motion.collision.rules import Near
+from motion.collision.clearance import Near
 from motion.errors import InvalidGoal, UnreachableTarget
 from motion.ik.avoidance import Avoidance
 from motion.ik.levenberg_marquardt import Descent, descend, persist, settle

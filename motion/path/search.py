@@ -10,8 +10,8 @@ from functools import partial
 import numpy as np
 
 from motion.collision.checker import CollisionChecker
+from motion.collision.clearance import Near, Rules
 from motion.collision.grid import GRID
-from motion.collision.rules import Near, Rules
 from motion.errors import PathNotFound, PlanInCollision
 from motion.ik.tracking import track
 from motion.path.sampling import Free, sampled

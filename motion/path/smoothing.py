@@ -14,7 +14,7 @@ from collections.abc import Callable, Sequence
 import numpy as np
 
 from motion.collision.checker import CollisionChecker
-from motion.collision.rules import Rules
+from motion.collision.clearance import Rules
 from motion.poses import Array
 from motion.robot.load import Arm
 

@@ -11,8 +11,8 @@ from functools import partial
 import numpy as np
 
 from motion.collision.checker import CollisionChecker
+from motion.collision.clearance import Near, Rules
 from motion.collision.grid import GRID, SEARCH_GRID
-from motion.collision.rules import Near, Rules
 from motion.errors import PlanInCollision
 from motion.path.search import connect, describe
 from motion.path.smoothing import smoothed

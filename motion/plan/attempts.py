@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from motion.collision.checker import CollisionChecker
-from motion.collision.rules import CLEARANCE, CLOSE, Rules
+from motion.collision.clearance import CLEARANCE, CLOSE, Rules
 from motion.grasp.approaches import APPROACH, RESTING, STARTS, Approaches, Putting, Taking, line
 from motion.grasp.candidates import Grasp
 from motion.path.trajectory import Trajectory, rest

@@ -2,7 +2,7 @@ import numpy as np
 import pytest
 from by_hand import scene
 
-from integration.execute.regions import distances_outside
+from integration.execute.distances import distances_outside
 from integration.execute.setting_aside import beside, out_of_the_way, region_of, spots_clear_of
 from integration.worlds_and_scenes import scene_of
 from motion.plan.free_spots import MARGIN, ROOM

@@ -4,8 +4,8 @@ from motion_layouts import TABLE, TOP, block
 
 from motion import Pose, RobotState, Scene
 from motion.collision.checker import CollisionChecker
+from motion.collision.clearance import Rules
 from motion.collision.grid import GRID, dense
-from motion.collision.rules import Rules
 from motion.ik.solver import solve_ik
 from motion.robot.recipe import recipe
 

@@ -16,7 +16,7 @@ from motion import (
     reach_grasp,
 )
 from motion.collision.checker import CollisionChecker
-from motion.collision.rules import Rules
+from motion.collision.clearance import Rules
 from motion.poses import Pose, about
 from motion.robot.state import RobotState
 

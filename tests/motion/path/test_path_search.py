@@ -4,7 +4,7 @@ from motion_layouts import TABLE, TOP
 
 from motion import Box, PathNotFound, Pose, RobotState, Scene
 from motion.collision.checker import CollisionChecker
-from motion.collision.rules import Near, Rules
+from motion.collision.clearance import Near, Rules
 from motion.errors import PlanInCollision
 from motion.ik.solver import solve_ik
 from motion.path.search import connect, describe, straight

@@ -6,8 +6,8 @@ from motion_layouts import TABLE, TOP
 
 from motion import Box, Pose, RobotState, Scene, solve_ik
 from motion.collision.checker import CollisionChecker
+from motion.collision.clearance import Rules
 from motion.collision.grid import SEARCH_GRID
-from motion.collision.rules import Rules
 from motion.path.search import connect
 from motion.path.smoothing import smoothed
 from motion.robot.load import load_robot

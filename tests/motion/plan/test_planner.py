@@ -15,7 +15,7 @@ from motion import (
     plan_place,
 )
 from motion.collision.checker import CollisionChecker
-from motion.collision.rules import Rules
+from motion.collision.clearance import Rules
 from motion.path.trajectory import check_limits
 from motion.robot.load import load_robot
 from motion.robot.recipe import recipe

@@ -1,7 +1,7 @@
 import numpy as np
 import pytest
 
-from integration.execute.regions import distances_outside
+from integration.execute.distances import distances_outside
 
 SQUARE = np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]])
 
