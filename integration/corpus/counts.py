@@ -12,7 +12,7 @@ from integration.corpus.instructions import Sentences
 from integration.corpus.settled_worlds import SettledWorld
 
 
-def summarised(sentences: Sentences, worlds: Sequence[SettledWorld]) -> dict[str, Any]:
+def counted(sentences: Sentences, worlds: Sequence[SettledWorld]) -> dict[str, Any]:
     """Counts of instructions by outcome, action and construction, and of worlds.
 
     Args:

@@ -10,7 +10,7 @@ from typing import Any
 
 from grounding.corpus.format import worlds_path, write_worlds
 from grounding.experiments.progress import Progress
-from integration.corpus.counts import summarised
+from integration.corpus.counts import counted
 from integration.corpus.images import make_images
 from integration.corpus.instructions import Sentences, make_sentences
 from integration.corpus.settings import CORPUS, HELD_OUT, SUMMARY, Folder, Settings
@@ -51,7 +51,7 @@ def generate_corpus(folder: Folder, settings: Settings, jobs: int) -> dict[str, 
         clock.lap("images")
         videos = make_videos(folder, settings, sentences.items, worlds, workers)
         clock.lap("videos")
-    told = summarised(sentences, worlds)
+    told = counted(sentences, worlds)
     counts = {**told, "images": images, "videos": videos}
     result = {"settings": settings.to_json(), **counts}
     folder.write(SUMMARY, json.dumps(result, indent=1) + "\n")

@@ -50,7 +50,7 @@ def make_images(
     bar = Progress(sum(len(shares[k]) for k in missing), "images")
     tasks = [(str(folder.path / IMAGES), [(f"{n:04d}.png", chosen[n], world_to_json(known[chosen[n]["world"]]))
                                           for n in shares[k]]) for k in missing]  # fmt: skip
-    for place, entries in workers.run(make_part, tasks):
+    for place, entries in workers.run(make_image_part, tasks):
         folder.keep(names[missing[place]], entries)
         for entry in entries:
             bar.step(entry["id"])
@@ -81,7 +81,7 @@ def choose(items: Sequence[dict[str, Any]], count: int) -> list[dict[str, Any]]:
     return [*first, *again, *others][:count]
 
 
-def make_part(folder: str, told: Sequence[tuple[str, dict[str, Any], dict[str, Any]]]) -> list[dict[str, Any]]:
+def make_image_part(folder: str, told: Sequence[tuple[str, dict[str, Any], dict[str, Any]]]) -> list[dict[str, Any]]:
     """Draw some images, and give their entries in the index, for processes that share the work.
 
     Args:

@@ -106,13 +106,13 @@ def _batch(
     for k in missing:
         told = [(turn, worlds[turn % len(worlds)].to_json()) for turn in shares[k]]
         tasks.append((settings.seed, told, each, dict(taken)))
-    for place, items in workers.run(make_part, tasks):
+    for place, items in workers.run(make_instruction_part, tasks):
         folder.keep(names[missing[place]], items)
     for name in names:
         yield folder.items(name)
 
 
-def make_part(
+def make_instruction_part(
     seed: int, worlds: Sequence[tuple[int, dict[str, Any]]], each: int, taken: dict[str, int]
 ) -> list[dict[str, Any]]:
     """The instructions of one part as plain values, for processes that share the work.

@@ -12,7 +12,7 @@ from integration.errors import NoPlan
 from integration.execute import checks
 from integration.execute.checks import Check
 from integration.execute.laying import Laying
-from integration.execute.recovery import free_hands, persist, put_back, remove_leaning
+from integration.execute.recovery import free_hands, keep_trying, put_back, remove_leaning
 from integration.execute.setting_aside import beside, out_of_the_way, region_of
 from integration.execute.stage import Stage
 from integration.execute.uncovering import uncover
@@ -108,7 +108,7 @@ def _pick(stage: Stage, objects: Sequence[str], arm: str) -> tuple[Check, ...]:
             found = _lifted(stage, before, objects)
         return found
 
-    if not persist(stage, objects[0], attempt, check, arm):
+    if not keep_trying(stage, objects[0], attempt, check, arm):
         found = _lifted(stage, before, objects)
     return found
 

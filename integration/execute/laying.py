@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 from integration.errors import NoPlan
 from integration.execute import checks
 from integration.execute.checks import Check
-from integration.execute.recovery import persist, put_back, remove_leaning, spread
+from integration.execute.recovery import keep_trying, put_back, remove_leaning, spread
 from integration.execute.stage import Stage
 from integration.execute.uncovering import uncover
 from motion import Plan, RobotState, Scene
@@ -64,7 +64,7 @@ class Laying:
             after, doubt = self._stage.look_carefully(), self._stage.doubt
             return (checks.at_goal(after, name, self.goals[name], doubt=doubt),)
 
-        done = persist(self._stage, name, attempt, check, self._arm, room=True)
+        done = keep_trying(self._stage, name, attempt, check, self._arm, room=True)
         self._given_up |= not done
         return done
 

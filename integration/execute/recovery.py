@@ -24,7 +24,7 @@ _APART = 0.07  # spots that are tried after one another are at least so far apar
 _RESTORED = 3
 
 
-def persist(
+def keep_trying(
     stage: Stage,
     name: str,
     attempt: Callable[[str], None],

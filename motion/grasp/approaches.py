@@ -20,7 +20,7 @@ from motion.errors import MotionError, UnreachableTarget
 from motion.grasp.candidates import Grasp
 from motion.ik.postures import solutions
 from motion.path.search import describe, straight
-from motion.path.travel import in_collision
+from motion.path.travel import phase_in_collision
 from motion.poses import Array, Pose
 from motion.robot.recipe import recipe
 from motion.robot.state import RobotState
@@ -217,7 +217,7 @@ def line(
         raise UnreachableTarget(f"the {arm} arm cannot follow the straight line of {phase}", "joint limit")
     near = checker.first_conflict(path, rules, SEARCH_GRID)
     if near is not None:
-        raise in_collision(phase, near, rules)
+        raise phase_in_collision(phase, near, rules)
     return path
 
 

@@ -121,7 +121,7 @@ def persist(kinematics: ArmKinematics, target: Any, start: Array, steps: int = 1
     return Descent(joints, left < _GOOD or _within(kinematics, target, joints), steps, left)
 
 
-def settle(kinematics: ArmKinematics, target: Any, joints: Array, posture: Array, steps: int = 12) -> Array:
+def drawn_to_posture(kinematics: ArmKinematics, target: Any, joints: Array, posture: Array, steps: int = 12) -> Array:
     """Moves the redundant joint towards `posture` while the tool stays at its target.
 
     Each step goes along the projection of the way to `posture` onto the Jacobian's nullspace, (I - J⁺ J) (posture - q)

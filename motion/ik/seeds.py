@@ -43,7 +43,7 @@ class SeedTable:
     """
 
     def __init__(self, kinematics: ArmKinematics, wrist: float, posture: Array, count: int = SAMPLES) -> None:
-        samples = sampled(kinematics, wrist, count)
+        samples = sampled_configurations(kinematics, wrist, count)
         base = kinematics.model.jointPlacements[1]
         self._turn, self._origin = np.array(base.rotation).T, np.array(base.translation)
         self._lower, self._upper = kinematics.lower, kinematics.upper
@@ -106,7 +106,7 @@ class SeedTable:
                 yield clipped[index]
 
 
-def sampled(kinematics: ArmKinematics, wrist: float, count: int) -> dict[str, Any]:
+def sampled_configurations(kinematics: ArmKinematics, wrist: float, count: int) -> dict[str, Any]:
     """Evenly spread configurations with the first and last joint at 0, and where they bring wrist and hand.
 
     Returns:

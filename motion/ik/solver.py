@@ -19,7 +19,7 @@ from numpy.typing import ArrayLike
 from motion.collision.clearance import Near
 from motion.errors import InvalidGoal, UnreachableTarget
 from motion.ik.avoidance import Avoidance
-from motion.ik.levenberg_marquardt import Descent, descend, persist, settle
+from motion.ik.levenberg_marquardt import Descent, descend, drawn_to_posture, persist
 from motion.ik.problem import Problem, problem_of
 from motion.ik.reasons import checked_distance, in_collision, out_of_reach
 from motion.ik.starts import RESTARTS, Start, nearest_starts, starts_of
@@ -130,7 +130,7 @@ class _Search:
                 continue
             joints = descent.joints
             if problem.posture is not None:
-                joints = settle(problem.kinematics, problem.last, joints, problem.posture)
+                joints = drawn_to_posture(problem.kinematics, problem.last, joints, problem.posture)
             if self._accepted(joints):
                 return joints
         return None

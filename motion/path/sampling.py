@@ -28,7 +28,7 @@ _ITERATIONS = 4
 """Iterations of OMPL's planner for one expansion of ours."""
 
 
-def sampled(
+def sampled_path(
     arm: Arm,
     free: Free,
     valid: Valid,
@@ -60,7 +60,7 @@ def sampled(
 def ompl_connect(
     arm: Arm, valid: Valid, start: Array, goal: Array, rng: np.random.Generator, expansions: int, grid: float
 ) -> list[Array] | None:
-    """Waypoints from `start` to `goal` by OMPL's RRT-Connect, or None; arguments as for `sampled`."""
+    """Waypoints from `start` to `goal` by OMPL's RRT-Connect, or None; arguments as for `sampled_path`."""
     ompl = _ompl()
     assert ompl is not None
     ompl.util.RNG.setSeed(int(rng.integers(1, 2**31)))
@@ -132,7 +132,7 @@ class _Tree:
 def rrt_connect(
     arm: Arm, free: Free, start: Array, goal: Array, rng: np.random.Generator, expansions: int
 ) -> list[Array] | None:
-    """Waypoints from `start` to `goal` by RRT-Connect, or None; arguments as for `sampled`."""
+    """Waypoints from `start` to `goal` by RRT-Connect, or None; arguments as for `sampled_path`."""
     trees = [_Tree(start), _Tree(goal)]
     middle, spread = (start + goal) / 2, np.abs(goal - start) / 2 + 0.6
     for count in range(expansions):

@@ -14,7 +14,7 @@ from motion.collision.clearance import Near, Rules
 from motion.collision.grid import GRID
 from motion.errors import PathNotFound, PlanInCollision
 from motion.ik.tracking import track
-from motion.path.sampling import Free, sampled
+from motion.path.sampling import Free, sampled_path
 from motion.poses import Array, Pose
 from motion.robot.load import load_robot
 from motion.robot.recipe import recipe
@@ -71,7 +71,7 @@ def connect(
     home = recipe().home[arm]
     if free(start, home) and free(home, goal):
         return _shortened(free, [start, home, goal], rng)
-    path = sampled(load_robot().arm(arm), free, valid, start, goal, rng, expansions, grid)
+    path = sampled_path(load_robot().arm(arm), free, valid, start, goal, rng, expansions, grid)
     if path is None:
         raise PathNotFound(
             f"no way was found for {phase} of the {arm} arm in {expansions} expansions, "

@@ -98,10 +98,10 @@ def verified(
             if near is None:
                 return trajectory
     assert near is not None
-    raise in_collision(phase, near, rules)
+    raise phase_in_collision(phase, near, rules)
 
 
-def in_collision(phase: str, near: Near, rules: Rules) -> PlanInCollision:
+def phase_in_collision(phase: str, near: Near, rules: Rules) -> PlanInCollision:
     """The error for a phase that comes too near to something."""
     return PlanInCollision(
         f"during {phase} {describe(near)}; {1000 * rules.clearance:.0f} mm are kept, "
