@@ -15,7 +15,7 @@ from contextlib import contextmanager, nullcontext
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NoReturn
 
-from integration.arguments import BAD_INPUT, OneLineParser
+from integration.arguments import BAD_INPUT, INTERRUPTED, OneLineParser, whole_number
 from integration.interrupts import Interrupts
 
 if TYPE_CHECKING:
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from grounding.world import World
     from integration.execute.report import Report
 
-INTERRUPTED, BROKEN_PIPE = 130, 141
+BROKEN_PIPE = 141  # as a shell reports SIGPIPE
 SCENES = Path(__file__).resolve().parents[1] / "models" / "scenes"
 
 
@@ -63,19 +63,15 @@ def _arguments(argv: Sequence[str] | None) -> argparse.Namespace:
     parser.add_argument("text", metavar="TEXT", help="the instruction, such as 'pick up the nearest block'")
     parser.add_argument("--scene", default="default", help=f"a world file, or one of {', '.join(scene_names())}")
     parser.add_argument("--arm", default="auto", choices=("auto", "left", "right"), help="which arm is to do it")
-    parser.add_argument("--seed", type=_seed, default=0, help="of all chance; the same seed, the same run (default: 0)")
+    parser.add_argument(
+        "--seed", type=whole_number, default=0, help="of all chance; the same seed, the same run (default: 0)"
+    )
     parser.add_argument("--view", action="store_true", help="show the simulation in a window")
     parser.add_argument("--video", type=Path, metavar="FILE", help="record the simulation: a .gif, or an .mp4")
     parser.add_argument("--json", action="store_true", help="write the whole report as JSON")
     parser.add_argument("--output", type=Path, default=Path("output"), metavar="DIR", help="where pictures are written")
     parser.add_argument("--no-pictures", action="store_true", help="draw no pictures")
     return parser.parse_args(argv)
-
-
-def _seed(text: str) -> int:
-    if not text.isdigit():
-        raise argparse.ArgumentTypeError(f"{text!r} is not a whole number from 0")
-    return int(text)
 
 
 def scene_names() -> tuple[str, ...]:

@@ -1,4 +1,4 @@
-"""Processes that share the making of a corpus; Ctrl-C ends them at once, and what is finished is kept."""
+"""Processes that share work; Ctrl-C ends them at once, and what is finished is kept."""
 
 from __future__ import annotations
 
@@ -80,7 +80,7 @@ class Workers:
                     yield running.pop(future), _checked(future.result())
         except BrokenProcessPool:
             raise WorkFailed(
-                "a process that worked on the corpus ended before it was done; was there too little memory? The same "
+                "a process ended before its work was done; was there too little memory? The same "
                 "command goes on from here, --jobs 1 needs least"
             ) from None
 

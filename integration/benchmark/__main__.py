@@ -13,21 +13,12 @@ from __future__ import annotations
 
 import argparse
 import json
-import os
-import signal
 import sys
 import time
-from collections.abc import Iterator, Sequence
-from concurrent.futures import FIRST_COMPLETED, ProcessPoolExecutor, wait
-from multiprocessing import get_context
+from collections.abc import Sequence
 from pathlib import Path
-from typing import Any
 
-from integration.arguments import BAD_INPUT, OneLineParser
-
-INTERRUPTED = 130
-_REPORTED = 0.1
-_THREADS = ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS")
+from integration.arguments import BAD_INPUT, INTERRUPTED, OneLineParser, positive_number, whole_number
 
 
 def main(argv: Sequence[str] | None = None) -> int:
@@ -45,8 +36,6 @@ def main(argv: Sequence[str] | None = None) -> int:
 
     try:
         args = _arguments(argv)
-        for name in _THREADS:  # before numpy is imported by the processes that work
-            os.environ.setdefault(name, "1")
         if args.replay is not None:
             return _replay(args)
         return _measure(args)
@@ -62,15 +51,17 @@ def main(argv: Sequence[str] | None = None) -> int:
 
 def _arguments(argv: Sequence[str] | None) -> argparse.Namespace:
     parser = OneLineParser("python -m integration.benchmark", description="Random worlds with known goals, end to end.")
-    parser.add_argument("--episodes", type=_positive, default=1000, help="how many (default: 1000)")
-    parser.add_argument("--seed", type=_number, default=0, help="of all chance (default: 0)")
-    parser.add_argument("--jobs", type=_positive, default=1, help="processes that work at the same time (default: 1)")
+    parser.add_argument("--episodes", type=positive_number, default=1000, help="how many (default: 1000)")
+    parser.add_argument("--seed", type=whole_number, default=0, help="of all chance (default: 0)")
+    parser.add_argument(
+        "--jobs", type=positive_number, default=1, help="processes that work at the same time (default: 1)"
+    )
     parser.add_argument("--faults", action="store_true", help="something goes wrong in every episode")
     parser.add_argument("--language", action="store_true", help="goals are given in words, and grounded")
     parser.add_argument("--output", type=Path, metavar="FILE", help="where records are kept (default: under output/)")
     parser.add_argument("--restart", action="store_true", help="begin anew instead of going on")
     parser.add_argument(
-        "--replay", type=_number, metavar="EPISODE", help="run one episode once more and print its record"
+        "--replay", type=whole_number, metavar="EPISODE", help="run one episode once more and print its record"
     )
     parser.add_argument("--video", type=Path, metavar="FILE", help="with --replay: record it, a .gif or an .mp4")
     args = parser.parse_args(argv)
@@ -83,23 +74,30 @@ def _arguments(argv: Sequence[str] | None) -> argparse.Namespace:
 
 def _measure(args: argparse.Namespace) -> int:
     """Runs what is still to be run and prints the summary."""
+    from grounding.experiments.progress import Progress
+    from integration.benchmark.episode import run_episode
     from integration.benchmark.measures import machine, summarised
     from integration.benchmark.records import Records
+    from integration.workers import Workers
     from motion import load_robot
 
     settings = {"seed": args.seed, "faults": args.faults, "language": args.language}
     records = Records(args.output or _default_path(args), settings, args.restart)
     load_robot()  # built once, before several processes would each build it
     missing = [number for number in range(args.episodes) if number not in records.done]
-    bar = _Bar(args.episodes, args.episodes - len(missing))
+    if len(missing) < args.episodes:
+        print(f"{args.episodes - len(missing)} of {args.episodes} episodes were there already", file=sys.stderr)
+    progress, failed = Progress(len(missing), "episodes"), 0
     start = time.perf_counter()
+    tasks = [(args.seed, number, args.faults, args.language) for number in missing]
     try:
-        for record in _run(missing, args):
-            records.add(record)
-            bar.step(record["success"])
+        with Workers(args.jobs) as workers:
+            for _, record in workers.run(run_episode, tasks):
+                records.add(record)
+                failed += not record["success"]
+                progress.step(f"{failed} without success")
     finally:
         records.close()
-        bar.close()
     chosen = [records.done[number] for number in range(args.episodes)]
     result = {
         "settings": {**settings, "episodes": args.episodes, "jobs": args.jobs},
@@ -110,41 +108,6 @@ def _measure(args: argparse.Namespace) -> int:
     }
     print(json.dumps(result, indent=1))
     return 0
-
-
-def _run(numbers: Sequence[int], args: argparse.Namespace) -> Iterator[dict[str, Any]]:
-    """Records as they come in."""
-    if args.jobs == 1 or len(numbers) < 2:
-        for number in numbers:
-            yield _episode(args.seed, number, args.faults, args.language)
-        return
-    pool = ProcessPoolExecutor(args.jobs, mp_context=get_context("spawn"), initializer=_heed_no_interrupt)
-    try:
-        waiting = iter(numbers)
-        running = set()
-        while True:
-            for number in waiting:
-                running.add(pool.submit(_episode, args.seed, number, args.faults, args.language))
-                if len(running) >= 2 * args.jobs:
-                    break
-            if not running:
-                return
-            finished, running = wait(running, return_when=FIRST_COMPLETED)
-            for future in finished:
-                yield future.result()
-    finally:
-        pool.shutdown(wait=False, cancel_futures=True)
-
-
-def _heed_no_interrupt() -> None:
-    """Ctrl-C is for the process that hands out the work; what works ends with its episode."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
-
-
-def _episode(seed: int, number: int, faults: bool, language: bool) -> dict[str, Any]:
-    from integration.benchmark.episode import run_episode
-
-    return run_episode(seed, number, faults=faults, language=language)
 
 
 def _replay(args: argparse.Namespace) -> int:
@@ -158,7 +121,7 @@ def _replay(args: argparse.Namespace) -> int:
 
         recording = Recording(scene_of(prepared(args.seed, args.replay, args.faults, args.language).world), args.video)
     try:
-        record = run_episode(args.seed, args.replay, faults=args.faults, language=args.language, watch=recording)
+        record = run_episode(args.seed, args.replay, args.faults, args.language, watch=recording)
     except BaseException:
         if recording is not None:
             recording.abandon()
@@ -173,53 +136,6 @@ def _replay(args: argparse.Namespace) -> int:
 def _default_path(args: argparse.Namespace) -> Path:
     kind = "faults" if args.faults else "language" if args.language else "goals"
     return Path("output") / "benchmark" / f"{kind}-{args.seed}.jsonl"
-
-
-class _Bar:
-    """Progress on standard error: in place on a terminal, a line for every tenth elsewhere."""
-
-    def __init__(self, total: int, done: int) -> None:
-        self._total, self._done, self._before = total, done, done
-        self._failed, self._start, self._told = 0, time.perf_counter(), done / total
-        self._terminal = sys.stderr.isatty()
-        if done:
-            print(f"{done} of {total} episodes were there already", file=sys.stderr)
-
-    def step(self, success: bool) -> None:
-        """One more episode."""
-        self._done += 1
-        self._failed += not success
-        left = (time.perf_counter() - self._start) / (self._done - self._before) * (self._total - self._done)
-        text = f"{self._done}/{self._total}, {self._failed} without success, {left / 60:.0f} min left"
-        if self._terminal:
-            filled = round(30 * self._done / self._total)
-            sys.stderr.write(f"\rEpisodes [{'#' * filled}{'.' * (30 - filled)}] {text:<50}")
-            sys.stderr.flush()
-        elif self._done / self._total >= self._told + _REPORTED:
-            self._told = self._done / self._total
-            print(f"Episodes {text}", file=sys.stderr, flush=True)
-
-    def close(self) -> None:
-        """Ends the line."""
-        if self._terminal:
-            sys.stderr.write("\n")
-
-
-def _positive(text: str) -> int:
-    value = _number(text)
-    if value < 1:
-        raise argparse.ArgumentTypeError(f"{text!r} is not a whole number above 0")
-    return value
-
-
-def _number(text: str) -> int:
-    try:
-        value = int(text)
-    except ValueError:
-        value = -1
-    if value < 0:
-        raise argparse.ArgumentTypeError(f"{text!r} is not a whole number from 0 on")
-    return value
 
 
 if __name__ == "__main__":

@@ -28,7 +28,7 @@ _LIFT_PHASES = ("home", "pregrasp", "approach", "close", "lift")
 
 
 def run_episode(
-    seed: int, number: int, *, faults: bool = False, language: bool = False, watch: Watch | None = None
+    seed: int, number: int, faults: bool = False, language: bool = False, *, watch: Watch | None = None
 ) -> dict[str, Any]:
     """Carry an episode out; the record depends on the seed and the number alone, but for what clocks measured.
 

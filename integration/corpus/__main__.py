@@ -16,10 +16,9 @@ import sys
 from collections.abc import Sequence
 from pathlib import Path
 
-from integration.arguments import BAD_INPUT, OneLineParser
+from integration.arguments import BAD_INPUT, INTERRUPTED, OneLineParser, positive_number, whole_number
 from integration.interrupts import Interrupts
 
-INTERRUPTED = 130
 _A_WORLD = 20  # instructions, if the number of worlds is not told
 
 
@@ -71,29 +70,16 @@ def _arguments(argv: Sequence[str] | None) -> argparse.Namespace:
     generate = verbs.add_parser("generate", help="generate a corpus", description=__doc__,
                                 formatter_class=argparse.RawDescriptionHelpFormatter)  # fmt: skip
     generate.add_argument("--output", type=Path, required=True, metavar="DIR", help="where everything is written")
-    generate.add_argument("--instructions", type=_positive, default=20_000, metavar="N", help="default: 20000")
-    generate.add_argument("--worlds", type=_positive, metavar="N",
+    generate.add_argument("--instructions", type=positive_number, default=20_000, metavar="N", help="default: 20000")
+    generate.add_argument("--worlds", type=positive_number, metavar="N",
                           help="how many are settled (default: one for 20 instructions)")  # fmt: skip
-    generate.add_argument("--images", type=_number, default=128, metavar="N", help="default: 128")
-    generate.add_argument("--videos", type=_number, default=8, metavar="N", help="default: 8")
-    generate.add_argument("--seed", type=_number, default=0, help="of all chance (default: 0)")
-    generate.add_argument("--jobs", type=_positive, default=min(2, os.cpu_count() or 1), metavar="N",
+    generate.add_argument("--images", type=whole_number, default=128, metavar="N", help="default: 128")
+    generate.add_argument("--videos", type=whole_number, default=8, metavar="N", help="default: 8")
+    generate.add_argument("--seed", type=whole_number, default=0, help="of all chance (default: 0)")
+    generate.add_argument("--jobs", type=positive_number, default=min(2, os.cpu_count() or 1), metavar="N",
                           help="processes that work at the same time (default: 2)")  # fmt: skip
     generate.add_argument("--restart", action="store_true", help="begin anew instead of going on")
     return parser.parse_args(argv)
-
-
-def _positive(text: str) -> int:
-    value = _number(text)
-    if value < 1:
-        raise argparse.ArgumentTypeError(f"{text!r} is not a whole number above 0")
-    return value
-
-
-def _number(text: str) -> int:
-    if not (text.isascii() and text.isdecimal()) or len(text) > 9:
-        raise argparse.ArgumentTypeError(f"{text!r} is not a whole number from 0 on, of at most nine digits")
-    return int(text)
 
 
 if __name__ == "__main__":
