@@ -1,6 +1,7 @@
 """The house is in order: who may import whom, no circles, and folders, modules and functions of a size one can read."""
 
 import ast
+import re
 import subprocess
 import sys
 from functools import cache
@@ -160,3 +161,9 @@ def test_the_same_name_does_not_stand_for_two_things():
             if path.stem not in conventional and ".commands." not in name:  # a command is named after what it is about
                 names.setdefault(path.stem, []).append(name)
     assert {stem: found for stem, found in names.items() if len(found) > 1} == {}
+
+
+@pytest.mark.parametrize(("page", "package"), [("motion", "motion"), ("kinematics", "motion"), ("integration", ".")])
+def test_modules_that_a_page_names_are_there(page, package):
+    for name in re.findall(r"`([\w/]+\.py)`", (ROOT / "docs" / f"{page}.md").read_text()):
+        assert (ROOT / package / name).is_file(), f"docs/{page}.md names {name}"
