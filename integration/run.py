@@ -11,7 +11,7 @@ import json
 import os
 import sys
 from collections.abc import Sequence
-from contextlib import contextmanager, nullcontext
+from contextlib import ExitStack, contextmanager, nullcontext
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NoReturn
 
@@ -139,32 +139,25 @@ def _show(report: Report, args: argparse.Namespace, hint: str | None) -> None:
 def _watching(args: argparse.Namespace, world: World) -> Iterator[Any]:
     """The watcher of the simulation: a recording, a window, both, or none."""
     watchers: list[Any] = []
-    recording, window = None, None
-    if args.video is not None or args.view:
-        from integration.show.video import Recording
-        from integration.worlds_and_scenes import scene_of
-
-        if args.video is not None:
-            recording = Recording(scene_of(world), args.video)
-            watchers.append(recording)
-        if args.view:
-            from integration.show.viewer import Window
-
-            window = Window(scene_of(world))
-            watchers.append(window)
 
     def watch(simulator: Any) -> None:
         for watcher in watchers:
             watcher(simulator)
 
-    try:
+    window = None
+    with ExitStack() as stack:
+        if args.video is not None:
+            from integration.show.video import Recording
+            from integration.worlds_and_scenes import scene_of
+
+            watchers.append(stack.enter_context(Recording(scene_of(world), args.video)))
+        if args.view:
+            from integration.show.viewer import Window
+            from integration.worlds_and_scenes import scene_of
+
+            window = Window(scene_of(world))
+            watchers.append(window)
         yield watch if watchers else None
-    except BaseException:
-        if recording is not None:
-            recording.abandon()
-        raise
-    if recording is not None:
-        recording.close()
     if window is not None:
         print("close the window to go on", file=sys.stderr)
         window.wait()

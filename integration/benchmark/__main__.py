@@ -114,20 +114,15 @@ def _replay(args: argparse.Namespace) -> int:
     """Runs one episode, perhaps with a video, and prints its record."""
     from integration.benchmark.episode import prepared, run_episode
 
-    recording = None
-    if args.video is not None:
+    episode = args.seed, args.replay, args.faults, args.language
+    if args.video is None:
+        record = run_episode(*episode)
+    else:
         from integration.show.video import Recording
         from integration.worlds_and_scenes import scene_of
 
-        recording = Recording(scene_of(prepared(args.seed, args.replay, args.faults, args.language).world), args.video)
-    try:
-        record = run_episode(args.seed, args.replay, args.faults, args.language, watch=recording)
-    except BaseException:
-        if recording is not None:
-            recording.abandon()
-        raise
-    if recording is not None:
-        recording.close()
+        with Recording(scene_of(prepared(*episode).world), args.video) as recording:
+            record = run_episode(*episode, watch=recording)
         print(f"wrote {args.video}", file=sys.stderr)
     print(json.dumps(record, indent=1))
     return 0

@@ -129,13 +129,8 @@ def make_video(
         if tried.outcome != DONE or sum(step.simulated for step in tried.steps) > SHORT:
             continue
         path = Path(folder) / name
-        recording = Recording(scene_of(world), path)
-        try:
+        with Recording(scene_of(world), path) as recording:
             report = executor.execute(grounding, world, watch=recording)
-        except BaseException:
-            recording.abandon()
-            raise
-        recording.close()
         if report.outcome != DONE:
             path.unlink(missing_ok=True)
             continue

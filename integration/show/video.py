@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import importlib
 from pathlib import Path
-from types import ModuleType
+from types import ModuleType, TracebackType
 from typing import Any
 
 import numpy as np
@@ -20,7 +20,9 @@ _COLORS = 128
 
 
 class Recording:
-    """Takes a frame every so many simulated seconds; give it to the executor as `watch`, and `close` it at the end.
+    """Takes a frame every so many simulated seconds; give it to the executor as `watch`.
+
+    The file is written by `close`, or at the end of a `with` block that no error leaves.
 
     Args:
         scene: what stands around the robot.
@@ -50,6 +52,17 @@ class Recording:
         if simulator.time >= self._next:
             self._next = simulator.time + self._every
             self._add(self._renderer.render(simulator))
+
+    def __enter__(self) -> Recording:
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        if error is None:
+            self.close()
+        else:
+            self.abandon()
 
     def abandon(self) -> None:
         """Frees what is held without writing a file."""
