@@ -1,4 +1,4 @@
-"""What the command lines of `integration` share: how bad usage is told, exit codes, and numbers."""
+"""Parts that the command lines of `integration` share: bad usage told in a line, exit codes, numbers."""
 
 from __future__ import annotations
 

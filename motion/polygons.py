@@ -23,7 +23,7 @@ def hull(points: Array) -> Array:
 
 
 def contains(outline: Array, point: Array, margin: float = 0.0) -> bool:
-    """Whether `point` (2,) lies inside the anticlockwise `outline`, at least `margin` metres from its edges."""
+    """Tells whether `point` (2,) lies inside the anticlockwise `outline`, at least `margin` metres from its edges."""
     edges = np.roll(outline, -1, axis=0) - outline
     inward = edges[:, 0] * (point[1] - outline[:, 1]) - edges[:, 1] * (point[0] - outline[:, 0])
     return bool(np.all(inward >= margin * np.linalg.norm(edges, axis=1) - 1e-12))

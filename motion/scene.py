@@ -1,4 +1,4 @@
-"""What stands around the robot: boxes with names, poses and sizes. Frozen values, checked when they are made."""
+"""Boxes around the robot, with names, poses and sizes. Frozen values, checked when they are made."""
 
 from __future__ import annotations
 
@@ -200,7 +200,7 @@ class Scene:
         )
 
     def resting_position(self, name: str, xy: ArrayLike, ignore: Sequence[str] = ()) -> Array:
-        """Where the centre of a box is when it rests, turned as it is, on whatever is highest below (x, y).
+        """The place of a box's centre when it rests, turned as it is, on whatever is highest below (x, y).
 
         Args:
             name: the box to be set down.

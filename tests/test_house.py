@@ -126,14 +126,23 @@ def test_no_folders_import_one_another_in_a_circle(package):
 
 
 @pytest.mark.parametrize("package", CHECKED)
-def test_a_folder_has_few_modules_and_says_what_it_is_for(package):
+def test_a_folder_has_few_modules(package):
     known = modules(package)
     for folder in sorted({path.parent for path in known.values()}):
         inside = [path for path in known.values() if path.parent == folder]
         assert len(inside) <= MODULES_A_FOLDER, f"{folder.relative_to(ROOT)} has {len(inside)} modules"
         assert folder / "__init__.py" in inside, f"{folder.relative_to(ROOT)} has no __init__.py"
-    for name, path in known.items():
-        assert ast.get_docstring(ast.parse(path.read_text())), f"{name} does not say what it is for"
+
+
+@pytest.mark.parametrize("package", CHECKED)
+def test_docstrings_begin_with_a_noun_or_a_verb(package):
+    for name, path in modules(package).items():
+        tree = ast.parse(path.read_text())
+        assert ast.get_docstring(tree), f"{name} does not say what it is for"
+        for node in ast.walk(tree):
+            if isinstance(node, ast.Module | ast.ClassDef | ast.FunctionDef):
+                first = (ast.get_docstring(node) or "-").split()[0]
+                assert first not in ("What", "How", "Why", "Where", "Whether", "Which"), f"{name}: {first} ..."
 
 
 @pytest.mark.parametrize("package", CHECKED)

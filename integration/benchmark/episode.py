@@ -134,7 +134,7 @@ def _record(
 
 
 def _judged(episode: Episode, report: Report) -> dict[str, Any]:
-    """What the true poses at the end say: whether the goal is met, by how much it is missed, and who else moved."""
+    """Judges by the true poses at the end whether the goal is met, by how much it is missed, and who else moved."""
     action, before = episode.actions[0], scene_of(episode.world)
     poses: Mapping[str, Pose] = report.truth or {box.name: box.pose for box in before.boxes}
     exempt = {*action.objects, "leaning"}

@@ -1,4 +1,4 @@
-"""Which fault an episode of the benchmark has, drawn from its seed, and whether the world allows to recover from it."""
+"""Faults of episodes of the benchmark, drawn from their seeds, and whether the world allows to recover from them."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ _STUCK_CLOSED, _STUCK_OPEN = 0.03, 0.0565
 
 @dataclass(frozen=True)
 class FaultCase:
-    """What goes wrong in an episode.
+    """The fault of an episode.
 
     Attributes:
         name: one of `FAULTS`, or "none".
@@ -49,7 +49,7 @@ def fault_name(number: int) -> str:
 
 
 def draw_fault(seed: int, episode: Episode) -> FaultCase:
-    """What goes wrong in an episode."""
+    """The fault of an episode."""
     rng = np.random.default_rng([seed, episode.number, 2])
     name = fault_name(episode.number)
     if name == "slip":
@@ -75,7 +75,7 @@ def draw_fault(seed: int, episode: Episode) -> FaultCase:
 
 
 def recoverable(episode: Episode, case: FaultCase, poses: dict[str, Pose]) -> bool:
-    """Whether a hand that still works reaches the target where it ended, and its destination.
+    """Tells whether a hand that still works reaches the target where it ended, and its destination.
 
     Args:
         episode: what was to be done.
@@ -115,7 +115,7 @@ def _beside(box: Box, other: Box) -> bool:
 
 
 def _stays(scene: Scene, box: Box, moved: Box) -> bool:
-    """Whether a box would still stand on what it stood on, and within reach."""
+    """Tells whether a box would still stand on what it stood on, and within reach."""
     below = [scene.box(name) for name in scene.below(box.name)]
     supports = [contains(other.footprint, moved.position[:2], 0.01) for other in below]
     return any(supports) and reached(scene, box.name, [moved.pose])

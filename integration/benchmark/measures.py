@@ -67,7 +67,7 @@ def distribution(values: Iterable[float]) -> dict[str, float]:
 
 
 def machine() -> dict[str, Any]:
-    """What the times were measured on."""
+    """The machine that the times were measured on."""
     return {
         "python": platform.python_version(),
         "processor": platform.machine(),
@@ -77,7 +77,7 @@ def machine() -> dict[str, Any]:
 
 
 def _of_faults(records: Sequence[dict[str, Any]]) -> dict[str, Any]:
-    """What became of the episodes in which something went wrong."""
+    """Outcomes of the episodes in which something went wrong."""
     possible = [record for record in records if record["recoverable"]]
     unmet = [record for record in records if not record["success"]]
     return {

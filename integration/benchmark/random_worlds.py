@@ -103,7 +103,7 @@ def draw_world(rng: np.random.Generator, number: int) -> World:
 
 
 def reached(scene: Scene, name: str, places: Sequence[Pose], arms: Sequence[str] = ARMS) -> bool:
-    """Whether some hand, or one for each place, would grasp a block at every place if nothing stood around it."""
+    """Tells whether some hand, or one for each place, would grasp a block at every place if nothing stood around it."""
     box = scene.box(name)
     tables = tuple(other for other in scene.boxes if other.fixed)
     return all(_grasped(Scene((*tables, box.at(place))), name, arms) for place in places)
@@ -158,7 +158,7 @@ def _draw_action(rng: np.random.Generator, world: World, kind: str) -> GroundedA
 
 
 def _spot(rng: np.random.Generator, scene: Scene, kind: str, chosen: Sequence[Box]) -> np.ndarray | None:
-    """Where the first of the chosen blocks is to be put, (3,) in [m]: free, on or beside the last of them."""
+    """Draws where the first of the chosen blocks is to be put, (3,) in [m]: free, on or beside the last of them."""
     target, last = chosen[0], chosen[-1]
     if kind in ("on", "stack"):
         spot = np.array([*last.position[:2], last.top + target.half_extents[2]])

@@ -57,5 +57,5 @@ def _first(meant: WorldObject, among: list[WorldObject], key: object) -> bool:
 
 
 def _stacked(one: WorldObject, other: WorldObject) -> bool:
-    """Whether two blocks stand on one another: their places in an order are the same."""
+    """Tells whether two blocks stand on one another: their places in an order are the same."""
     return one.id != other.id and bool(np.linalg.norm(one.position[:2] - other.position[:2]) < 0.03)

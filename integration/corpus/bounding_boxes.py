@@ -92,7 +92,7 @@ def pictured(example: Example, world: World) -> tuple[Image.Image, dict[str, Any
 
 
 def boxed_of(example: Example) -> tuple[Boxed, ...]:
-    """What an image points out: what the instruction as a whole is about, then its arrangements."""
+    """The objects and arrangements that an image points out: those of the instruction as a whole first."""
     found: list[Boxed] = []
     root = example.groundings[0]
     meant = [symbol.objects for symbol in root if isinstance(symbol, Action) and symbol.objects]
@@ -160,7 +160,7 @@ def _rectangle(canvas: Canvas, box: np.ndarray, color: Rgb, width: float) -> Non
 
 
 def _sides(sheet: Sheet) -> None:
-    """Which side is which for the robot, which faces the picture."""
+    """Writes which side is which for the robot, which faces the picture."""
     left, _, right, bottom = sheet.body
     sheet.canvas.text((left + 24, bottom - 20), "robot's right", _LABEL, INK, "lm", PAPER)
     sheet.canvas.text((right - 24, bottom - 20), "robot's left", _LABEL, INK, "rm", PAPER)

@@ -1,4 +1,4 @@
-"""What an annotated instruction is built of, for counts: superlatives, ordinals, arrangements, clauses, viewpoints."""
+"""Constructions of an annotated instruction, for counts: superlatives, ordinals, arrangements, clauses, viewpoints."""
 
 from __future__ import annotations
 
@@ -43,6 +43,6 @@ def constructions(example: Example) -> list[str]:
 
 
 def _depth(phrase: Phrase) -> int:
-    """How many noun phrases with postmodifiers lie in one another."""
+    """The number of noun phrases with postmodifiers that lie in one another."""
     inner = max((_depth(child) for child in phrase.phrases), default=0)
     return inner + (phrase.tag == "NP" and any(child.tag in ("PP", "SBAR") for child in phrase.phrases))

@@ -1,4 +1,4 @@
-"""What a generated corpus holds, counted."""
+"""Counts of what a generated corpus holds."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a generated corpus depends on, and its folder on disk: settings first, then finished parts, then the corpus.
+"""Settings of a generated corpus, and its folder on disk: settings first, then finished parts, then the corpus.
 
 A part is a small JSON file in `parts/`, written whole or not at all; the same command goes on with the parts that are
 not there yet.
@@ -29,7 +29,7 @@ _BYTES = {"instructions": 3_000, "worlds": 12_000, "images": 400_000, "videos": 
 
 @dataclass(frozen=True)
 class Settings:
-    """What a corpus depends on.
+    """Settings that a corpus depends on.
 
     Attributes:
         instructions: how many.
@@ -51,7 +51,7 @@ class Settings:
 
     @property
     def room(self) -> int:
-        """How many bytes the corpus and its parts take at most."""
+        """The most bytes that the corpus and its parts take."""
         return sum(getattr(self, name) * size for name, size in _BYTES.items())
 
 
@@ -101,11 +101,11 @@ class Folder:
         write_whole(self.path / name, text.encode())
 
     def has(self, part: str) -> bool:
-        """Whether a part is finished."""
+        """Tells whether a part is finished."""
         return part in self._read or self._file(part).exists()
 
     def complete(self, part: str, where: str, key: str) -> bool:
-        """Whether a part is finished and the files that its items name under `key` are in the folder `where`.
+        """Tells whether a part is finished and the files that its items name under `key` are in the folder `where`.
 
         Raises:
             UsageError: its file is damaged.
@@ -127,7 +127,7 @@ class Folder:
         self._read[part] = json.loads(text)  # as it would be read: tuples are lists
 
     def items(self, part: str) -> list[Any]:
-        """What a finished part holds.
+        """The items of a finished part.
 
         Raises:
             UsageError: its file is damaged.

@@ -148,5 +148,5 @@ def _rounded(pose: Pose) -> Pose:
 
 
 def _fits(container: Container, world: World) -> bool:
-    """Whether an arrangement is still what it is called."""
+    """Tells whether an arrangement is still what it is called."""
     return misfit(container.kind, [world[name] for name in container.objects]) is None

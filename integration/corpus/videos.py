@@ -142,7 +142,7 @@ def make_video(
 
 
 def goal_of(example: Example, world: World, kind: str) -> GroundedAction | None:
-    """What the annotation of an example says is to be done, if it is one action of that kind on few objects.
+    """The goal by the annotation of an example, if it is one action of that kind on few objects.
 
     Args:
         example: annotated.
@@ -162,7 +162,7 @@ def goal_of(example: Example, world: World, kind: str) -> GroundedAction | None:
 
 
 def _within_reach(goal: GroundedAction, world: World) -> bool:
-    """Whether some hand would reach everything if nothing stood around it; a quick look before planning."""
+    """Tells whether some hand would reach everything if nothing stood around it; a quick look before planning."""
     scene = scene_of(world)
     for name in goal.objects:
         box = scene.box(name)

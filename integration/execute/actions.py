@@ -130,7 +130,7 @@ def _lifted(stage: Stage, before: Scene, objects: Sequence[str]) -> tuple[Check,
 
 
 def _touched(stage: Stage, objects: Sequence[str]) -> tuple[str, ...]:
-    """What was to be moved: the objects, and what had to be moved for them."""
+    """The objects, and everything that had to be moved for them."""
     return (*objects, *sorted(stage.moved))
 
 

@@ -1,4 +1,4 @@
-"""What has to be seen in the simulator's final state before anything counts as done.
+"""Checks of the simulator's final state, all to be passed before anything counts as done.
 
 Every check is a measurement with its limit; nothing here knows what was planned beyond where a block should be.
 """
@@ -138,7 +138,7 @@ def gathered(found: Sequence[Check]) -> tuple[tuple[Check, int], ...]:
 
 
 def drifts(earlier: Scene, later: Scene) -> Mapping[str, float]:
-    """How far every loose object moved between two observations, in [m]."""
+    """Distances that every loose object moved between two observations, in [m]."""
     return {box.name: _distance(later, box.name, box.position) for box in earlier.boxes if not box.fixed}
 
 

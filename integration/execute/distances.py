@@ -1,4 +1,4 @@
-"""How far points are from convex regions in the plane."""
+"""Distances of points from convex regions in the plane."""
 
 from __future__ import annotations
 

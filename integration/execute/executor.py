@@ -28,7 +28,7 @@ _UNGROUNDED = {
 
 
 class GrounderLike(Protocol):
-    """What turns words into goals, such as `grounding.Grounder`."""
+    """Anything that turns words into goals, such as `grounding.Grounder`."""
 
     def ground(self, text: str, world: World, history: Sequence[str] = ()) -> Grounding:
         """The goals that the words mean in this world."""
@@ -89,7 +89,7 @@ class Executor:
         return self.execute(grounding, world, watch, (*steps, step))
 
     def ground(self, text: str, world: World, history: Sequence[str] = ()) -> tuple[Grounding, Step]:
-        """What an instruction means, and the step that finding out was.
+        """Grounds an instruction, and tells how long that took as a step.
 
         Raises:
             LanguageError: the instruction is empty.
@@ -203,11 +203,11 @@ def _verdict(done: Sequence[Check], actions: Sequence[GroundedAction], stage: St
 
 
 def _seen(stage: Stage) -> Mapping[str, Pose]:
-    """Where everything is seen at the end."""
+    """The poses of everything as it is seen at the end."""
     return {box.name: box.pose for box in stage.look_carefully().boxes}
 
 
 def _after(handled: Sequence[Handled]) -> str:
-    """What had been done before there was no plan, as the beginning of a sentence."""
+    """The things done before there was no plan, as the beginning of a sentence."""
     names = ", ".join(item.object for item in handled)
     return f"after {names} had been moved: " if names else ""

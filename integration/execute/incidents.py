@@ -1,4 +1,4 @@
-"""What went wrong while a plan was carried out, as it was noticed."""
+"""Incidents: what went wrong while a plan was carried out, as it was noticed."""
 
 from __future__ import annotations
 

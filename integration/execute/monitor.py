@@ -9,13 +9,13 @@ import numpy as np
 from motion import Phase, PhaseRecord, Plan, Pose, Scene, Sensor, Simulator
 
 MOVED, TURNED = 0.003, 0.06
-"""How far a block may be from where it was when its grasp was planned: [m], [rad]."""
+"""Largest move and turn of a block since its grasp was planned: [m], [rad]."""
 WIDTH = 0.0025
-"""How far the fingers may be from as open as they should be, in [m]."""
+"""Largest error of the opening of the fingers, in [m]."""
 SLIPPED = 0.012
-"""How far a held block may be from where it was in the hand, in [m]."""
+"""Largest move of a held block in the hand, in [m]."""
 TRACKING = 0.04
-"""How far a joint may be from where it should be, in [rad]."""
+"""Largest error of a joint, in [rad]."""
 _BEFORE = ("home", "pregrasp", "approach")
 _CARRIED = ("lift", "hold", "transfer", "lower")
 _EVERY = 2
@@ -46,7 +46,7 @@ class Monitor:
         self._calls, self._taken = 0, held
 
     def during(self, phase: Phase) -> Callable[[Simulator], str | None]:
-        """What to look for while a phase is carried out: the reason to leave it as "kind: what was noticed"."""
+        """Watches a phase while it is carried out, for reasons to leave it: each as "kind: what was noticed"."""
         before: float | None = None
 
         def look(simulator: Simulator) -> str | None:
@@ -69,7 +69,7 @@ class Monitor:
         return look
 
     def after(self, phase: Phase, record: PhaseRecord, simulator: Simulator) -> str | None:
-        """What a phase that was carried out left wrong, as "kind: what was noticed", or None."""
+        """The fault that a finished phase shows, as "kind: what was noticed", or None."""
         if record.left is not None:
             return record.left
         following = self._following(phase)
@@ -128,6 +128,6 @@ class Monitor:
         return None
 
     def _glimpse(self, simulator: Simulator) -> Pose:
-        """Where the target is by one frame."""
+        """The place of the target by one frame."""
         assert self._target is not None
         return self._sensor.glimpse(simulator.pose(self._target), self._rng)

@@ -16,7 +16,7 @@ from motion.plan.goals import heading
 from motion.robot.state import ARMS
 
 TRIES = 4
-"""How often an object is attempted."""
+"""Number of attempts at an object."""
 _STUCK = 2
 """After so many troubles with a gripper the other hand is used, where that is free to choose."""
 _SPOTS = 12

@@ -1,4 +1,4 @@
-"""What became of an instruction: a frozen report, the same for the same seed but for its timings."""
+"""The report of what became of an instruction: frozen, and the same for the same seed but for its timings."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ class Step:
 
 @dataclass(frozen=True)
 class Handled:
-    """What was done with one object.
+    """The record of what was done with one object.
 
     Attributes:
         action: pick, place or clear.

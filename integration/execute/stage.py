@@ -30,7 +30,7 @@ _FRAMES, _CAREFUL = 10, 30
 
 
 class Planner(Protocol):
-    """What plans motions; the package `motion` is one."""
+    """Anything that plans motions; the package `motion` is one."""
 
     def plan_pick(self, scene: Scene, target: str, **options: Any) -> Plan:
         """A plan that ends with the box in the hand."""
@@ -98,7 +98,7 @@ class Stage:
 
     @property
     def doubt(self) -> float:
-        """How far a block may be from where a careful look shows it, in [m]."""
+        """Largest error of a block's place by a careful look, in [m]."""
         return self._sensor.uncertainty(_CAREFUL)
 
     def look(self, frames: int) -> Scene:

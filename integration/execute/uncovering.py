@@ -14,7 +14,7 @@ Follow = Callable[[Scene, RobotState], object]
 """Plans what is to be done once nothing stands on the object any more; raises `NoPlan` if that cannot be."""
 
 _MORE = 2
-"""How many more steps than blocks there may be, in case one falls back."""
+"""Number of steps beyond the number of blocks, in case one falls back."""
 
 
 def uncover(stage: Stage, name: str, arm: str, follow: Follow, keep_free: Sequence[ArrayLike] = ()) -> None:

@@ -1,1 +1,1 @@
-"""What happened, for people: text, pictures, videos and a window."""
+"""Text, pictures, videos and a window that show people what happened."""

@@ -27,7 +27,7 @@ def result_from_above(report: Report) -> Image.Image:
 
 
 def result_marks(report: Report) -> tuple[Mark, ...]:
-    """What was handled, ringed in the colour of the outcome."""
+    """Marks of what was handled, in the colour of the outcome."""
     names = tuple(dict.fromkeys(item.object for item in report.handled))
     color = PASSED if report.outcome == DONE else FAILED
     return (Mark(report.message, "object", names, 1.0, color),) if names else ()

@@ -18,7 +18,7 @@ _NARROWEST, _WIDEST = 72, 128
 
 @dataclass(frozen=True)
 class Style:
-    """How a summary is set.
+    """The look of a summary.
 
     Attributes:
         width: columns.
@@ -32,7 +32,7 @@ class Style:
 
     @classmethod
     def of(cls, stream: object) -> Style:
-        """What a stream can show."""
+        """The style that a stream can show."""
         encoding = str(getattr(stream, "encoding", "") or "").lower()
         terminal = bool(getattr(stream, "isatty", lambda: False)())
         columns = shutil.get_terminal_size((100, 24)).columns if terminal else 100
@@ -63,7 +63,7 @@ def summary(report: Report, style: Style | None = None) -> str:
 
 
 def phrase_tree(grounding: Grounding, style: Style | None = None) -> list[str]:
-    """What every phrase was taken to mean, as an indented tree with probabilities, one phrase a line."""
+    """The meaning of every phrase, as an indented tree with probabilities, one phrase a line."""
     style = Style() if style is None else style
     lines: list[str] = []
     shown = _telling(grounding.phrases)
@@ -109,7 +109,7 @@ def _moved(report: Report) -> list[str]:
 
 
 def _is_phase(step: Step) -> bool:
-    """Whether a step is one of the phases of a plan."""
+    """Tells whether a step is one of the phases of a plan."""
     return bool(step.simulated) and " " not in step.name and step.name != "settle"
 
 

@@ -94,7 +94,7 @@ def close_camera(world: World) -> Camera:
 
 
 def _sides(canvas: Canvas, body: tuple[int, int, int, int]) -> None:
-    """Which side is which for the robot, which faces the picture."""
+    """Writes which side is which for the robot, which faces the picture."""
     left, _, right, bottom = body
     canvas.text((left + 24, bottom - 22), "robot's right", 15, INK, "lm", PAPER)
     canvas.text((right - 24, bottom - 22), "robot's left", 15, INK, "rm", PAPER)

@@ -1,1 +1,1 @@
-"""What touches what: a scene compiled for MuJoCo, and the check of whole configurations on it."""
+"""Contact: a scene compiled for MuJoCo, and the check of whole configurations on it."""

@@ -148,7 +148,7 @@ class CollisionChecker:
         return frozenset(found)
 
     def of_hand(self, near: Near) -> bool:
-        """Whether the pair is the moving hand, or what it holds, and a box: no other posture of the arm parts them."""
+        """Tells whether a box is near the moving hand, or what it holds: no other posture of the arm parts them."""
         fixed, hand = [], []
         for name in near.bodies:
             geoms = np.array([other == name for other in self._indices.bodies])
@@ -172,7 +172,7 @@ class CollisionChecker:
         return None
 
     def free(self, first: Array, second: Array, rules: Rules, grid: float = GRID) -> bool:
-        """Whether the line between two configurations is free; checked in halves, so that conflicts show early."""
+        """Tells whether the line between two configurations is free, by halves, so that conflicts show early."""
         steps = max(1, int(np.ceil(np.max(np.abs(second - first)) / grid)))
         return all(self.nearest(first + (second - first) * k / steps, rules) is None for k in bisected(steps))
 
@@ -218,7 +218,7 @@ class CollisionChecker:
 
 
 class _Workspace(NamedTuple):
-    """What checkers of the same bodies share, each writing all positions before it looks.
+    """Model and data that checkers of the same bodies share, each writing all positions before it looks.
 
     Attributes:
         model: the MjModel with the margins and the pairs that matter.

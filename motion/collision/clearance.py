@@ -1,4 +1,4 @@
-"""What may be near to what, and what is nearer than that."""
+"""Distances that pairs of bodies keep, and pairs that are nearer."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ class Near(NamedTuple):
 
 @dataclass(frozen=True)
 class Rules:
-    """What may be near to what.
+    """Distances that pairs of bodies keep.
 
     Attributes:
         clearance: distance that all other pairs keep, metres.

@@ -63,7 +63,7 @@ def run(args: argparse.Namespace) -> int:
 
 
 def _of_place(reach: ReachMap, table: Box, edge: float, x: float, y: float) -> dict[str, Any]:
-    """What the map says of a place.
+    """The map's answer for a place.
 
     Raises:
         UnreachableTarget: no hand reaches it, with the reason.

@@ -1,4 +1,4 @@
-"""How a hand comes to a grasp or a release and away from it: joints and straight lines, free of contact, not yet timed.
+"""Ways of a hand to a grasp or a release and away from it: joints and lines, free of contact, not yet timed.
 
 The arm has many postures at a pose of its hand. Each is tried until the lines from it are free as well, and whoever
 asks may go on to the next: what the arm cannot reach with the elbow up it may reach with the elbow down.
@@ -27,13 +27,13 @@ from motion.robot.state import RobotState
 from motion.scene import Box, Scene
 
 APPROACH = 0.08
-"""How far before a grasp the straight approach begins, and how far above a release the straight way down, metres."""
+"""Length of the straight approach to a grasp, and of the straight way down to a release, metres."""
 RESTING = 0.003
 """Within this distance from a held box bodies count as touching it, metres."""
 STARTS = 4
 """From how many starts joints are looked for, until there is need to look for more."""
 POSTURES = 3
-"""How many postures of the arm at a pose are tried."""
+"""Number of postures of the arm that are tried at a pose."""
 _RELEASE_HEIGHT = 0.001
 _RELEASE_ROOM = 0.007
 
@@ -113,7 +113,7 @@ class Approaches:
         self._clearance, self._starts = clearance, starts
 
     def takings(self, grasp: Grasp, lift: float, seed: Array) -> Iterator[Taking]:
-        """How the hand comes to a box and away with it, by different postures of the arm, the most promising first.
+        """Ways of the hand to a box and away with it, by different postures of the arm, the most promising first.
 
         Args:
             grasp: how the box is taken.
@@ -146,7 +146,7 @@ class Approaches:
         failures.tell()
 
     def puttings(self, goal: Box, support: str, grip: Pose, full: CollisionChecker, width: float) -> Iterator[Putting]:
-        """How the hand comes to a destination and away from it, by different postures of the arm.
+        """Ways of the hand to a destination and away from it, by different postures of the arm.
 
         Args:
             goal: the box at its destination.
@@ -222,7 +222,7 @@ def line(
 
 
 class _Failures:
-    """Why no posture would do: conflicts of the postures themselves, else what was wrong with the lines."""
+    """Reasons why no posture would do: conflicts of the postures themselves, else what was wrong with the lines."""
 
     def __init__(self, arm: str) -> None:
         self._arm = arm

@@ -191,7 +191,7 @@ def _about_axis(box: Box, axis: int, arms: tuple[str, ...]) -> Iterator[Grasp]:
 
 
 def _depth(box: Box, tilt: float) -> float | None:
-    """How far the tool frame goes past the box's centre, so that the fingertips stay above what the box stands on."""
+    """Depth of the tool frame below the box's centre, so that the fingertips stay above what the box stands on."""
     half = float(box.half_extents[2])
     low = half - _TIP_CLEARANCE
     pads = (low - _PAD_HALF_WIDTH * np.sin(tilt)) / np.cos(tilt) - _PAD_DEPTH

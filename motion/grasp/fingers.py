@@ -110,7 +110,7 @@ def obstacles(arm: str, tools: Sequence[Pose], openings: Sequence[float], boxes:
 def overlaps(
     first: Array, first_axes: Array, first_half: Array, second: Array, second_axes: Array, second_half: Array
 ) -> Array:
-    """How deep pairs of boxes overlap, along the best of fifteen axes (Gottschalk et al., "OBBTree", 1996).
+    """Depths of the overlaps of pairs of boxes, along the best of fifteen axes (Gottschalk et al., "OBBTree", 1996).
 
     Args:
         first: (n, 3) centres, metres.

@@ -1,4 +1,4 @@
-"""Which grasps of a box an arm can really make: the joints at the grasp, and free straight lines to it and up from it.
+"""Grasps of a box that an arm can really make: joints at the grasp, and free straight lines to it and up from it.
 
 Whoever plans a pick still needs a way from where the arm is to the beginning of the approach; all else is settled here.
 """
@@ -150,7 +150,7 @@ class _Lines:
         self.bodies: tuple[str, str] | None = None
 
     def free(self, joints: Array) -> bool:
-        """Whether both lines can be followed from `joints` (7,) and are free; keeps them."""
+        """Finds both lines from `joints` (7,), keeps them, and tells whether they can be followed and are free."""
         grasp = self._grasp
         back = self._followed(grasp.backed(APPROACH), joints, self.empty, self.near, "the approach")
         if back is None:

@@ -1,4 +1,4 @@
-"""Where on a table which hand can take a block, and how far it must tilt.
+"""The reach map: where on a table which hand can take a block, and how far it must tilt.
 
 For each place of a grid a block is put down in several turns; a hand reaches it with a tilt if for one of the block's
 grasps there are joints from which the hand can back off and rise, clear of the table, of itself and of the other arm.
@@ -61,7 +61,7 @@ class Reachable(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class ReachMap:
-    """What `reach_map` found.
+    """The answer of `reach_map`.
 
     Attributes:
         table: the table.

@@ -97,7 +97,7 @@ def _spacing(reach: ReachMap) -> float:
 
 
 def _pixel(reach: ReachMap, corner: tuple[float, float], scale: float, x: float, y: float) -> tuple[float, float]:
-    """Where a place is drawn: x upwards, y to the left, as the robot sees it."""
+    """The pixel of a place: x upwards, y to the left, as the robot sees it."""
     far, left = (reach.table.position + reach.table.half_extents)[:2]
     return (corner[0] + (left - y) * scale) * _FINE, (corner[1] + (far - x) * scale) * _FINE
 

@@ -1,4 +1,4 @@
-"""Whether a box can be taken at all, before any grasp is tried: known, loose, uncovered, and a hand free for it."""
+"""Checks of a target before any grasp is tried: it is known, loose and uncovered, and a hand is free for it."""
 
 from __future__ import annotations
 

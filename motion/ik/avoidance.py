@@ -23,7 +23,7 @@ _STEPS = 30
 
 
 class Avoidance:
-    """What an arm must keep clear of while everything else stands still.
+    """Things that an arm must keep clear of while everything else stands still.
 
     Args:
         scene: where the boxes are.
@@ -63,7 +63,7 @@ class Avoidance:
         return self._checker.nearest(joints, self._rules)
 
     def hopeless(self, near: Near) -> bool:
-        """Whether no other joints would help: the hand itself, which the target fixes, is too near to a box."""
+        """Tells that no other joints would help: the hand itself, which the target fixes, is too near to a box."""
         hand = (f"{self._arm[0]}_gripper", f"{self._arm}_gripper", f"{self._arm}_hand")
         others = (*self._scene.names, "floor")
         first, second = near.bodies

@@ -36,7 +36,7 @@ _PROGRESS = 0.5
 
 
 class Descent(NamedTuple):
-    """Where a start led.
+    """The end of the way from a start.
 
     Attributes:
         joints: (7,) radians.
@@ -151,7 +151,7 @@ def drawn_to_posture(kinematics: ArmKinematics, target: Any, joints: Array, post
 
 
 def _within(kinematics: ArmKinematics, target: Any, joints: Array) -> bool:
-    """Whether the tool is within the tolerances."""
+    """Tells whether the tool is within the tolerances."""
     left = kinematics.placement(joints).actInv(target * kinematics.tool)
     distance, angle = np.linalg.norm(left.translation), np.linalg.norm(pinocchio.log3(left.rotation))
     return bool(distance < POSITION_TOLERANCE and angle < ORIENTATION_TOLERANCE)

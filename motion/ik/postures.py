@@ -62,7 +62,7 @@ def solutions(
 
 
 def reachable(arm: str, targets: Sequence[Pose], *, restarts: int = RESTARTS) -> Array:
-    """Which of many targets an arm reaches, boxes and the robot's own body aside.
+    """Joints at each of many targets, boxes and the robot's own body aside.
 
     Args:
         arm: "left" or "right".

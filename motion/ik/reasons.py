@@ -1,4 +1,4 @@
-"""Why a pose is out of reach: too far, the end of some joint's range, or bodies in each other's way."""
+"""Reasons why a pose is out of reach: too far, the end of some joint's range, or bodies in each other's way."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ def checked_distance(arm: Arm, target: Pose) -> None:
 
 
 def too_far(arm: Arm, target: Pose) -> bool:
-    """Whether the wrist would be farther from the shoulder than the arm is long."""
+    """Tells whether the wrist would be farther from the shoulder than the arm is long."""
     return _stretch(arm, target) > arm.reach
 
 

@@ -148,7 +148,7 @@ class _Search:
         return None
 
     def failure(self) -> UnreachableTarget:
-        """Why there are no joints, after all has been tried."""
+        """The reason why there are no joints, after all has been tried."""
         problem = self._problem
         if self._refused:
             return in_collision(problem.arm, problem.target, self._conflicts, len(self._refused), self.tried)
@@ -160,7 +160,7 @@ class _Search:
         return self._lead(start.joints)
 
     def _accepted(self, joints: Array) -> bool:
-        """Whether joints are free of collision and suit the caller; what is refused is kept."""
+        """Tells whether joints are free of collision and suit the caller, and keeps what is refused."""
         near = self._conflict(joints)
         if near is None and self._suits(joints):
             return True
@@ -179,7 +179,7 @@ class _Search:
 
 
 def _leader(problem: Problem, solver: str) -> Callable[[Array], Descent]:
-    """How a start is led to the target."""
+    """The function that leads a start to the target."""
     if solver == LM:
         kinematics, last = problem.kinematics, problem.last
         return lambda start: descend(kinematics, last, start)

@@ -18,9 +18,9 @@ from motion.poses import Array
 from motion.robot.load import Arm
 
 Free = Callable[[Array, Array], bool]
-"""Whether the straight line between two configurations is free."""
+"""Tells whether the straight line between two configurations is free."""
 Valid = Callable[[Array], bool]
-"""Whether a configuration is free."""
+"""Tells whether a configuration is free."""
 
 _STEP = 0.35
 _RANGE = 0.5

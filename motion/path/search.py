@@ -100,7 +100,7 @@ def straight(arm: str, first: Pose, last: Pose, joints: Array) -> list[Array] | 
 
 
 def describe(near: Near) -> str:
-    """How near they are in words, such as: a and b are 3.0 mm apart."""
+    """The distance in words, such as: a and b are 3.0 mm apart."""
     first, second = near.bodies
     if near.distance < 0:
         return f"{first} and {second} overlap by {-1000 * near.distance:.1f} mm"

@@ -32,7 +32,7 @@ _HOLDING_TIME = 0.2
 
 
 class Effort(NamedTuple):
-    """How hard an attempt tries.
+    """The effort of an attempt.
 
     Attributes:
         expansions: bound of each search for a path whose straight line is not free.
@@ -139,7 +139,7 @@ class Attempt:
     # Which of several ways is direct.
 
     def leads_straight_to(self, taking: Taking) -> bool:
-        """Whether the straight line in joint space to the beginning of the approach is free."""
+        """Tells whether the straight line in joint space to the beginning of the approach is free."""
         return taking.empty.free(self._home, taking.back[-1], Rules(), _GLANCE)
 
     def detours_on(self, lifted: Array, putting: Putting) -> int:

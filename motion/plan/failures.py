@@ -1,4 +1,4 @@
-"""Why the attempts at a goal failed, told by one error."""
+"""Reasons why the attempts at a goal failed, told by one error."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from motion.grasp.candidates import Grasp
 
 
 class Failures:
-    """Why the attempts at a target failed, and the one error that tells it best."""
+    """Reasons why the attempts at a target failed, and the one error that tells it best."""
 
     def __init__(self, target: str) -> None:
         self._target = target

@@ -1,4 +1,4 @@
-"""Whether a goal makes sense before anything is planned: a start within range, a destination free and supported."""
+"""Checks of a goal before anything is planned: a start within range, a destination free and supported."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from motion.robot.state import ARMS, RobotState
 from motion.scene import Box, Scene, standing
 
 HEIGHT_TOLERANCE = 0.004
-"""How far a destination's height may be from resting on what is below, metres."""
+"""Largest gap between a destination's height and resting on what is below, metres."""
 _TOUCHING = 0.0005
 _BEYOND = 0.02
 
@@ -39,7 +39,7 @@ def checked_start(state: RobotState) -> RobotState:
 
 
 def checked_lift(lift: float) -> float:
-    """How far a box is lifted.
+    """Checks how far a box is to be lifted.
 
     Raises:
         InvalidGoal: it is no finite number above 0.
@@ -114,7 +114,7 @@ def checked_destination(scene: Scene, name: str, position: ArrayLike, turn: floa
 
 
 def _apart(first: Box, second: Box) -> bool:
-    """Whether the upright boxes around both do not meet, seen from above."""
+    """Tells whether the upright boxes around both are apart, seen from above."""
     return bool(np.any(np.abs(first.position - second.position)[:2] > (first.half_extents + second.half_extents)[:2]))
 
 

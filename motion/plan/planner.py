@@ -182,6 +182,6 @@ def _goals(scene: Scene, box: Box, position: ArrayLike, yaw: float | None) -> tu
 
 
 def _square(box: Box) -> bool:
-    """Whether the box looks the same from above after a quarter turn."""
+    """Tells whether the box looks the same from above after a quarter turn."""
     level = [i for i in range(3) if abs(box.axes[2, i]) < 0.7]
     return len(level) == 2 and abs(box.size[level[0]] - box.size[level[1]]) < 1e-4

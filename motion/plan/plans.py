@@ -34,7 +34,7 @@ class Phase:
 
 @dataclass(frozen=True, eq=False)
 class Plan:
-    """What one arm does, from rest to rest, verified as a whole.
+    """Phases of one arm, from rest to rest, verified as a whole.
 
     Attributes:
         kind: "pick", "place" or "home".

@@ -30,9 +30,9 @@ Goals = tuple[tuple[Box, str], ...]
 _DETOURS = 2
 """Of the ways of one grasp that are not direct, how many are searched for a path."""
 _WINDOW = 8
-"""How many grasps are looked at for a direct way before paths are searched for."""
+"""Number of grasps that are looked at for a direct way before paths are searched for."""
 _FAR = 0.5
-"""How far, in radians, no joint moves on the straight line of an approach or a lift but near a singular posture."""
+"""Movement of a joint, in radians, that the line of an approach or a lift exceeds only near a singular posture."""
 _QUICK = 2
 """Starts of a first look at whether a destination can be reached."""
 _Item = TypeVar("_Item")
@@ -115,7 +115,7 @@ class Ways:
             yield Way(detours, lambda putting=putting: self._put(attempt, putting, None))  # type: ignore[misc]
 
     def _within_reach(self, grasp: Grasp, goals: Goals) -> bool:
-        """Whether the hand gets to where one of the goals would have it: a quick look before anything else is done."""
+        """Tells whether the hand gets to where one of the goals would have it: a quick look before all else."""
         grip = grasp.tool.inverse() @ self._scene.box(self._target).pose
         error: MotionError | None = None
         for goal, _ in goals:
@@ -231,7 +231,7 @@ def _place_of_hand(arm: str, tool: Pose) -> tuple[Hashable, ...]:
 
 
 class _Remembered(Generic[_Item]):
-    """What an iterator gives, asked for when it is first needed, and remembered. True once there is something."""
+    """Items of an iterator, asked for when they are first needed, and remembered. True once there is one."""
 
     def __init__(self, items: Iterator[_Item]) -> None:
         self._items, self._known = items, list[_Item]()

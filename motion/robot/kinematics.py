@@ -20,7 +20,7 @@ LAST = 7
 
 
 class ArmKinematics:
-    """Where the tool of one arm is, and how it moves, for given joints.
+    """Places and movements of the tool of one arm for given joints.
 
     Attributes:
         model: Pinocchio's model of this arm alone (seven joints), its base standing in the world's frame.

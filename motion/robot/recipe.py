@@ -15,7 +15,7 @@ from motion.poses import Array, frozen
 
 @dataclass(frozen=True, eq=False)
 class JointLimits:
-    """What the seven joints of an arm may do.
+    """Limits of the seven joints of an arm.
 
     Attributes:
         velocity: (7,) rad/s.

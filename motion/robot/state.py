@@ -1,4 +1,4 @@
-"""Where the robot's joints and fingers are, as a frozen value."""
+"""The state of the robot's joints and fingers, as a frozen value."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What touches what in a simulation: pairs of bodies, what is between the fingers, and what was not meant to touch."""
+"""Contacts in a simulation: pairs of bodies, boxes between the fingers, and pairs that were not meant to touch."""
 
 from __future__ import annotations
 

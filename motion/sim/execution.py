@@ -1,4 +1,4 @@
-"""What happened when a plan was carried out, as frozen values."""
+"""Records of plans that were carried out, as frozen values."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class PhaseRecord:
-    """What happened in one phase.
+    """The record of one phase.
 
     Attributes:
         name: the phase's.
@@ -28,7 +28,7 @@ class PhaseRecord:
 
 @dataclass(frozen=True)
 class Execution:
-    """What happened when a plan was carried out.
+    """The record of a plan that was carried out.
 
     Attributes:
         phases: in order.

@@ -98,7 +98,7 @@ class Injector:
 
     @property
     def waiting(self) -> bool:
-        """Whether there are faults that have not begun yet."""
+        """True if there are faults that have not begun yet."""
         return bool(self._waiting)
 
     @property

@@ -117,7 +117,7 @@ def _context_class() -> Any:
 
 
 def rendering_available() -> bool:
-    """Whether pictures can be rendered on this machine."""
+    """Tells whether pictures can be rendered on this machine."""
     try:
         _context_class()
     except RenderingUnavailable:
@@ -231,7 +231,7 @@ class Renderer:
         return np.ascontiguousarray(picture[::-1])
 
     def project(self, points: ArrayLike, camera: str | Camera = "front") -> Array:
-        """Where points of the world are in the pictures of a camera.
+        """Projects points of the world into the pictures of a camera.
 
         Args:
             points: (n, 3) metres.

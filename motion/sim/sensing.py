@@ -1,4 +1,4 @@
-"""What a camera tells of where boxes are: the truth, or the truth with noise."""
+"""A camera that tells where boxes are: the truth, or the truth with noise."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ FRAME = 1 / 30
 
 @dataclass(frozen=True)
 class Sensor:
-    """How well the poses of loose boxes are seen.
+    """Accuracy with which the poses of loose boxes are seen.
 
     Every frame shows every box elsewhere in a ball around where it is, and turned a little about some axis.
 
@@ -40,7 +40,7 @@ class Sensor:
 
     @property
     def exact(self) -> bool:
-        """Whether it shows the truth."""
+        """True if it shows the truth."""
         return self.noise == 0.0 and self.turn == 0.0
 
     def uncertainty(self, frames: int) -> float:
@@ -48,7 +48,7 @@ class Sensor:
         return float(2 * self.noise * np.sqrt(3 / 5 / max(frames, 1)))
 
     def frame(self, scene: Scene, rng: np.random.Generator) -> Scene:
-        """What one frame shows of a scene."""
+        """The poses of loose boxes as one frame shows them."""
         if self.exact:
             return scene
         return scene.moved({box.name: self.glimpse(box.pose, rng) for box in scene.boxes if not box.fixed})
@@ -73,7 +73,7 @@ class Sensor:
         )
 
     def glimpse(self, pose: Pose, rng: np.random.Generator) -> Pose:
-        """Where one frame shows a box that is at `pose`."""
+        """The pose at which one frame shows a box that is at `pose`."""
         if self.exact:
             return pose
         offset = _direction(rng) * self.noise * rng.uniform() ** (1 / 3)

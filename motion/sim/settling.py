@@ -17,7 +17,7 @@ from motion.robot.recipe import recipe
 from motion.scene import LEANING, Box, Scene
 
 REST_SPEED = 1e-3
-"""What moves slower than this, in m/s and rad/s, and has done so for `REST_TIME`, is at rest."""
+"""Speed in m/s and rad/s below which a box is at rest, once it has kept below it for `REST_TIME`."""
 REST_TIME = 0.1
 """In simulated seconds."""
 PENETRATION = 1e-3
@@ -25,7 +25,7 @@ PENETRATION = 1e-3
 GUST = 0.125
 """For so many simulated seconds a force stays as it is."""
 PUSHED = 0.3
-"""How likely a box is pushed during a gust."""
+"""Probability that a box is pushed during a gust."""
 FORCE = (0.8, 1.6)
 """Of pushes, in weights of the box that is pushed: from about what slides it to what tumbles it."""
 
@@ -36,7 +36,7 @@ _GRAVITY = 9.81
 
 @dataclass(frozen=True)
 class Settled:
-    """What came to rest.
+    """A scene that came to rest.
 
     Attributes:
         scene: the fixed boxes, and the loose ones that stayed, where they rest.
@@ -56,7 +56,7 @@ class Settled:
 
     @property
     def stable(self) -> bool:
-        """Whether everything that stayed is at rest, stands on a face, and is not inside another box."""
+        """True if everything that stayed is at rest, stands on a face, and is not inside another box."""
         return self.resting and not self.leaning and self.depth <= PENETRATION
 
 
@@ -146,7 +146,7 @@ class _Physics:
         return np.asarray(self._staying() & (rising.max(axis=0) < np.cos(LEANING)))
 
     def settled(self) -> Settled:
-        """How it is now."""
+        """The scene as it is now."""
         if not (np.isfinite(self._data.qpos).all() and np.isfinite(self._data.qvel).all()):
             raise SimulationDiverged(f"the physics broke down at {self._data.time:.3f} s: positions are not finite")
         staying, leaning = self._staying(), self.leaning()

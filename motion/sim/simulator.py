@@ -170,7 +170,7 @@ class Simulator:
         return Execution(records, self.holding(plan.arm))
 
     def check_start(self, plan: Plan) -> None:
-        """Whether a plan begins where the robot is.
+        """Checks that a plan begins where the robot is.
 
         Raises:
             InvalidGoal: it does not.
