@@ -2,11 +2,10 @@ import numpy as np
 import pytest
 from motion_layouts import TABLE
 
-from motion import Avoidance, Box, Scene, reachable
+from motion import Avoidance, Box, Scene
 from motion.errors import InvalidGoal, UnreachableTarget
 from motion.ik.postures import solutions
 from motion.ik.solver import solve_ik
-from motion.ik.tracking import track
 from motion.poses import Pose, about
 from motion.robot.load import load_robot
 from motion.robot.recipe import recipe
@@ -49,28 +48,6 @@ def test_at_the_edge_of_reach_the_tolerance_decides(seed):
         solution = solve_ik("left", target)
         assert solution.position_error < 1e-4
         assert solution.orientation_error < 1e-3
-
-
-@pytest.mark.parametrize("arm", ["left", "right"])
-def test_solutions_are_different_postures_at_the_same_pose(arm):
-    rng = np.random.default_rng(3)
-    for _ in range(10):
-        target = Pose.of(DOWN, (rng.uniform(0.5, 0.7), {"left": 1, "right": -1}[arm] * rng.uniform(0.1, 0.5), 0.8))
-        found = list(solutions(arm, target))
-        assert len(found) > 1
-        for number, joints in enumerate(found):
-            distance, angle = load_robot().tool_pose(arm, joints).distance(target)
-            assert distance < 1e-4
-            assert angle < 1e-3
-            assert all(np.max(np.abs(joints - other)) > 0.2 for other in found[:number])
-
-
-def test_without_a_solution_the_first_step_says_why():
-    with pytest.raises(UnreachableTarget, match="too far"):
-        next(solutions("left", Pose.of(DOWN, (2.0, 0.0, 0.8))))
-    with pytest.raises(UnreachableTarget) as caught:
-        next(solutions("left", Pose.of(DOWN, (0.2, 0.3, 0.75))))
-    assert caught.value.reason == "joint limit"
 
 
 def test_all_of_the_table_within_reach_is_reached_from_above():
@@ -120,15 +97,6 @@ def test_any_frame_of_the_hand_can_be_the_tool():
     reached = load_robot().tool_pose("left", joints) @ tip
     assert reached.distance(target)[0] < 1e-4
     assert reached.distance(target)[1] < 1e-3
-
-
-def test_many_targets_at_once():
-    targets = [Pose.of(DOWN, (0.6, y, 0.8)) for y in (0.3, 0.1, -0.1)] + [Pose.of(DOWN, (1.4, 0, 0.8))]
-    joints = reachable("left", targets)
-    assert joints.shape == (4, 7)
-    assert np.all(np.isnan(joints[3]))
-    for row, target in zip(joints[:3], targets[:3], strict=True):
-        assert load_robot().tool_pose("left", row).distance(target)[0] < 1e-4
 
 
 def test_what_is_in_the_way_is_named():
@@ -234,14 +202,3 @@ def test_the_same_generator_gives_the_same_solution():
     target = Pose.of(DOWN, (0.7, 0.5, 0.74))
     first, second = (solve_ik("left", target, rng=np.random.default_rng(7)).joints for _ in range(2))
     assert first.tobytes() == second.tobytes()
-
-
-def test_lines_are_followed_without_jumps():
-    start = Pose.of(DOWN, (0.6, 0.3, 0.85))
-    joints = solve_ik("left", start).joints
-    targets = [Pose.of(DOWN, (0.6, 0.3, 0.85 - 0.005 * k)) for k in range(1, 21)]
-    path = track("left", targets, joints)
-    assert path is not None
-    for reached, target in zip(path, targets, strict=True):
-        assert load_robot().tool_pose("left", reached).distance(target)[0] < 1e-4
-    assert np.max(np.abs(np.diff([joints, *path], axis=0))) < 0.1
