@@ -162,14 +162,19 @@ def test_functions_have_few_branches():
     assert result.returncode == 0, result.stdout + result.stderr
 
 
-def test_the_same_name_does_not_stand_for_two_things():
-    conventional = {"__init__", "__main__", "errors"}
-    names = {}
-    for package in CHECKED:
-        for name, path in modules(package).items():
-            if path.stem not in conventional and ".commands." not in name:  # a command is named after what it is about
-                names.setdefault(path.stem, []).append(name)
-    assert {stem: found for stem, found in names.items() if len(found) > 1} == {}
+def test_a_name_stands_for_one_thing():
+    """Modules, and public functions and classes, of all checked packages; a command is named after what it is about."""
+    conventional = {"__init__", "__main__", "errors", "main", "run"}
+    known = {name: path for package in CHECKED for name, path in modules(package).items() if ".commands." not in name}
+    places = {}
+    for name, path in known.items():
+        public = {path.stem}
+        for node in ast.parse(path.read_text()).body:
+            if isinstance(node, ast.ClassDef | ast.FunctionDef) and not node.name.startswith("_"):
+                public.add(node.name)
+        for one in public - conventional:
+            places.setdefault(one, []).append(name)
+    assert {one: found for one, found in places.items() if len(found) > 1} == {}
 
 
 @pytest.mark.parametrize(("page", "package"), [("motion", "motion"), ("kinematics", "motion"), ("integration", ".")])

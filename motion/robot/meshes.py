@@ -10,7 +10,7 @@ import numpy as np
 from motion.errors import RobotUnavailable
 
 
-def load(path: Path) -> Any:
+def load_mesh(path: Path) -> Any:
     """A DAE file as one mesh in metres, with vertices in the same place merged."""
     import trimesh
 
@@ -23,14 +23,14 @@ def load(path: Path) -> Any:
 
 def write_hull(source: Path, target: Path) -> None:
     """Writes the convex hull of a mesh, the shape that MuJoCo collides with in any case, as binary STL."""
-    load(source).convex_hull.export(target, file_type="stl")
+    load_mesh(source).convex_hull.export(target, file_type="stl")
 
 
 def write_visual(source: Path, target: Path, keep: float) -> None:
     """Writes a mesh with about the fraction `keep` of its faces as binary STL; small meshes keep more."""
     import fast_simplification
 
-    mesh = load(source)
+    mesh = load_mesh(source)
     vertices, faces = np.asarray(mesh.vertices, np.float32), np.asarray(mesh.faces, np.int32)
     aim = max(int(len(faces) * keep), 400)
     if aim < len(faces):
