@@ -20,10 +20,10 @@ from typing import Any
 import numpy as np
 
 from grounding.corpus.generator import compose_world
-from integration.corpus_worlds import COMPOSED, PUSHED, PUSHED_EVERY, SettledWorld, draw_settled
-from integration.worlds import scene_of
+from integration.corpus.settled_worlds import COMPOSED, PUSHED, PUSHED_EVERY, SettledWorld, draw_settled
+from integration.worlds_and_scenes import scene_of
 from motion import Simulator
-from motion.settling import push_about, settle
+from motion.sim.settling import push_about, settle
 
 
 def timed(seed: int, numbers: Sequence[int]) -> tuple[list[SettledWorld], list[float]]:

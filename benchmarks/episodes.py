@@ -18,8 +18,8 @@ from pathlib import Path
 from typing import Any
 
 from grounding import Destination, GroundedAction, Grounder, Grounding, World
-from integration.executor import Executor
-from integration.report import DONE, Report
+from integration.execute.executor import Executor
+from integration.execute.report import DONE, Report
 from integration.run import load_scene
 
 INSTRUCTIONS = Path(__file__).resolve().parents[1] / "tests" / "integration" / "instructions.jsonl"

@@ -23,9 +23,9 @@ import numpy as np
 from ik_baselines import Solve, brute_force, damped_least_squares, installed, met, with_mink, with_pink
 
 from motion import Box, GraspUnavailable, Pose, Scene, UnreachableTarget, grasp_candidates, load_robot, solve_ik
-from motion.collisions import Rules
-from motion.ik_avoid import Avoidance
-from motion.outlines import overlap
+from motion.collision.clearance import Rules
+from motion.ik.avoidance import Avoidance
+from motion.polygons import overlap
 from motion.poses import about, quaternion
 
 TRAC_IK = {"solver": "TRAC-IK, Baxter (Beeson and Ames, 2015; published, on another machine)", "success": 0.9983,

@@ -13,9 +13,9 @@ import numpy as np
 import pinocchio
 
 from motion import Pose, load_robot
-from motion.ik_mink import differential_ik
-from motion.kinematics import LAST, ArmKinematics
-from motion.recipe import recipe
+from motion.ik.differential import differential_ik
+from motion.robot.kinematics import LAST, ArmKinematics
+from motion.robot.recipe import recipe
 
 RESTARTS = 15
 POSITION, ORIENTATION = 1e-4, 1e-3

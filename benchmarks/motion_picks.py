@@ -29,7 +29,7 @@ from motion import (
     plan_transport,
     solve_ik,
 )
-from motion.outlines import overlap
+from motion.polygons import overlap
 from motion.poses import Pose, about, quaternion
 
 TABLE = Box("table", (0.65, 0.0, 0.691), size=(0.7, 1.8, 0.04), color=(0.9, 0.9, 0.9, 1.0), fixed=True)

@@ -20,8 +20,8 @@ import numpy as np
 
 from grounding.corpus.loading import load_corpus
 from grounding.corpus.rss_world import shifted
-from integration.benchmark_worlds import reached
-from integration.worlds import scene_of
+from integration.benchmark.random_worlds import reached
+from integration.worlds_and_scenes import scene_of
 from motion import MotionError, Scene, Simulator, plan_pick
 
 

@@ -18,11 +18,11 @@ import numpy as np
 
 from grounding.result import GroundedAction, Grounding
 from grounding.world import World, make_object
-from integration.benchmark_summary import distribution, machine
-from integration.executor import Executor
-from integration.worlds import scene_of
+from integration.benchmark.measures import distribution, machine
+from integration.execute.executor import Executor
+from integration.worlds_and_scenes import scene_of
 from motion import stacked_on
-from motion.outlines import overlap
+from motion.polygons import overlap
 from motion.poses import about, quaternion
 
 _TABLE = make_object("table", "table", "white", (0.65, 0.0, 0.691), size=(0.7, 1.8, 0.04))

@@ -17,11 +17,11 @@ from typing import Any
 
 import numpy as np
 
-from integration.benchmark_summary import distribution, machine
-from integration.benchmark_worlds import draw_episode
-from integration.worlds import scene_of
+from integration.benchmark.measures import distribution, machine
+from integration.benchmark.random_worlds import draw_episode
+from integration.worlds_and_scenes import scene_of
 from motion import MotionError, Plan, Trajectory, plan_pick, plan_transport
-from motion.recipe import recipe
+from motion.robot.recipe import recipe
 
 _STILL = ("close", "open", "hold")
 _POINTS, _GRID = 41, 400

@@ -2,10 +2,10 @@
 
 from pathlib import Path
 
-from integration.executor import Executor
-from integration.pictures import save_pictures
+from integration.execute.executor import Executor
 from integration.run import load_scene
-from integration.summary import summary
+from integration.show.pictures import save_pictures
+from integration.show.report_text import summary
 
 world = load_scene("default")  # or the path of a world file
 report = Executor(seed=0).run("pick up the middle block in the row of five blocks on the right", world)

@@ -1,6 +1,6 @@
 """Put the nearest block on top of a tower, and look at what was checked."""
 
-from integration.executor import Executor
+from integration.execute.executor import Executor
 from integration.run import load_scene
 
 report = Executor().run("put the nearest block on top of the tower on the left", load_scene("tower"))

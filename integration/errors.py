@@ -1,4 +1,4 @@
-"""What integration refuses, as one family: each message names what was wrong and what would be right."""
+"""Errors of integration, as one family: each message names what was wrong and what would be right."""
 
 from __future__ import annotations
 

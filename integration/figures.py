@@ -14,13 +14,13 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from grounding.errors import CorpusErrors, GroundingError
+from integration.arguments import BAD_INPUT, INTERRUPTED, positive_number
 
 if TYPE_CHECKING:
     from PIL import Image
 
     from grounding.experiments.panels import Figure
 
-BAD_INPUT, INTERRUPTED = 2, 130
 _SIZE = (860, 580)  # of the view of a panel in pixels
 
 
@@ -54,7 +54,7 @@ def rendered(figure: Figure) -> Image.Image:
         InvalidScene: the world cannot be rendered.
     """
     from grounding.experiments.sheets import nothing, on_sheet
-    from integration.views import Studio, close_camera
+    from integration.show.views import Studio, close_camera
 
     panels = figure.panels or (nothing(figure),)
     with Studio(figure.world, _SIZE, close_camera(figure.world)) as studio:
@@ -90,18 +90,11 @@ def _arguments(argv: Sequence[str] | None) -> argparse.Namespace:
     parser.add_argument("--corrections", type=Path, metavar="FILE", help="corrections of annotations, applied first")
     parser.add_argument("--id", action="append", metavar="ID", help="an example to draw, may be given several times "
                         "(default: those that show most)")  # fmt: skip
-    parser.add_argument("--count", type=_count, default=4, metavar="N",
+    parser.add_argument("--count", type=positive_number, default=4, metavar="N",
                         help="so many examples of the corpus, where none is named (default: 4)")  # fmt: skip
     parser.add_argument("--keep-going", action="store_true",
                         help="list all that is refused and use the rest; the exit code is 2 all the same")  # fmt: skip
     return parser.parse_args(argv)
-
-
-def _count(text: str) -> int:
-    value = int(text) if text.isdecimal() else 0
-    if value < 1:
-        raise argparse.ArgumentTypeError(f"a number from 1, not {text!r}")
-    return value
 
 
 def _refuse(*messages: str) -> int:

@@ -11,20 +11,20 @@ import json
 import os
 import sys
 from collections.abc import Sequence
-from contextlib import contextmanager, nullcontext
+from contextlib import ExitStack, contextmanager, nullcontext
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NoReturn
 
-from integration.arguments import BAD_INPUT, OneLineParser
+from integration.arguments import BAD_INPUT, INTERRUPTED, OneLineParser, whole_number
 from integration.interrupts import Interrupts
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
     from grounding.world import World
-    from integration.report import Report
+    from integration.execute.report import Report
 
-INTERRUPTED, BROKEN_PIPE = 130, 141
+BROKEN_PIPE = 141  # as a shell reports SIGPIPE
 SCENES = Path(__file__).resolve().parents[1] / "models" / "scenes"
 
 
@@ -63,19 +63,15 @@ def _arguments(argv: Sequence[str] | None) -> argparse.Namespace:
     parser.add_argument("text", metavar="TEXT", help="the instruction, such as 'pick up the nearest block'")
     parser.add_argument("--scene", default="default", help=f"a world file, or one of {', '.join(scene_names())}")
     parser.add_argument("--arm", default="auto", choices=("auto", "left", "right"), help="which arm is to do it")
-    parser.add_argument("--seed", type=_seed, default=0, help="of all chance; the same seed, the same run (default: 0)")
+    parser.add_argument(
+        "--seed", type=whole_number, default=0, help="of all chance; the same seed, the same run (default: 0)"
+    )
     parser.add_argument("--view", action="store_true", help="show the simulation in a window")
     parser.add_argument("--video", type=Path, metavar="FILE", help="record the simulation: a .gif, or an .mp4")
     parser.add_argument("--json", action="store_true", help="write the whole report as JSON")
     parser.add_argument("--output", type=Path, default=Path("output"), metavar="DIR", help="where pictures are written")
     parser.add_argument("--no-pictures", action="store_true", help="draw no pictures")
     return parser.parse_args(argv)
-
-
-def _seed(text: str) -> int:
-    if not text.isdigit():
-        raise argparse.ArgumentTypeError(f"{text!r} is not a whole number from 0")
-    return int(text)
 
 
 def scene_names() -> tuple[str, ...]:
@@ -106,7 +102,7 @@ def _run(args: argparse.Namespace, interrupts: Interrupts) -> int:
     if not args.text.strip():
         raise UsageError("the instruction is empty; say something like 'pick up the nearest block'")
     world = load_scene(args.scene)
-    from integration.startup import started
+    from integration.execute.startup import started
 
     with _watching(args, world) as watch:
         executor, loading = started(arm=args.arm, seed=args.seed)
@@ -114,7 +110,7 @@ def _run(args: argparse.Namespace, interrupts: Interrupts) -> int:
         grounding, step = executor.ground(args.text, world)
         drawing = None
         if not args.no_pictures:
-            from integration.pictures import Drawing
+            from integration.show.pictures import Drawing
 
             drawing = Drawing(grounding, world, args.output)
         interrupts.heed()
@@ -130,7 +126,7 @@ def _show(report: Report, args: argparse.Namespace, hint: str | None) -> None:
     if args.json:
         print(json.dumps(report.to_json(), indent=2))
     else:
-        from integration.summary import Style, summary
+        from integration.show.report_text import Style, summary
 
         print(summary(report, Style.of(sys.stdout)))
     if hint:
@@ -143,32 +139,25 @@ def _show(report: Report, args: argparse.Namespace, hint: str | None) -> None:
 def _watching(args: argparse.Namespace, world: World) -> Iterator[Any]:
     """The watcher of the simulation: a recording, a window, both, or none."""
     watchers: list[Any] = []
-    recording, window = None, None
-    if args.video is not None or args.view:
-        from integration.recording import Recording
-        from integration.worlds import scene_of
-
-        if args.video is not None:
-            recording = Recording(scene_of(world), args.video)
-            watchers.append(recording)
-        if args.view:
-            from integration.viewer import Window
-
-            window = Window(scene_of(world))
-            watchers.append(window)
 
     def watch(simulator: Any) -> None:
         for watcher in watchers:
             watcher(simulator)
 
-    try:
+    window = None
+    with ExitStack() as stack:
+        if args.video is not None:
+            from integration.show.video import Recording
+            from integration.worlds_and_scenes import scene_of
+
+            watchers.append(stack.enter_context(Recording(scene_of(world), args.video)))
+        if args.view:
+            from integration.show.viewer import Window
+            from integration.worlds_and_scenes import scene_of
+
+            window = Window(scene_of(world))
+            watchers.append(window)
         yield watch if watchers else None
-    except BaseException:
-        if recording is not None:
-            recording.abandon()
-        raise
-    if recording is not None:
-        recording.close()
     if window is not None:
         print("close the window to go on", file=sys.stderr)
         window.wait()

@@ -49,7 +49,7 @@ What there is:
 
 from __future__ import annotations
 
-import motion.engine  # noqa: F401  # first: it makes do without OpenGL, as importing MuJoCo by itself does not
+import motion.physics_engine  # noqa: F401  # first: it makes do without OpenGL, as importing MuJoCo by itself does not
 
 # isort: split
 from motion.errors import (
@@ -66,27 +66,29 @@ from motion.errors import (
     UnknownBody,
     UnreachableTarget,
 )
-from motion.faults import Fault, Jam, Push, Slip
-from motion.grasps import Grasp, grasp_candidates
-from motion.ik import IkSolution, reachable, solutions, solve_ik
-from motion.ik_avoid import Avoidance
-from motion.ik_servo import servo
-from motion.kinematics import ArmKinematics
-from motion.planner import plan_home, plan_pick, plan_place
-from motion.plans import Phase, Plan
+from motion.grasp.candidates import Grasp, grasp_candidates
+from motion.grasp.reach import Reach, reach_box, reach_grasp
+from motion.grasp.reach_map import Reachable, ReachMap, reach_map
+from motion.ik.avoidance import Avoidance
+from motion.ik.postures import reachable, solutions
+from motion.ik.servo import servo
+from motion.ik.solver import IkSolution, solve_ik
+from motion.path.trajectory import Trajectory
+from motion.plan.free_spots import free_spots
+from motion.plan.planner import plan_home, plan_pick, plan_place
+from motion.plan.plans import Phase, Plan
+from motion.plan.transport import plan_transport
+from motion.plan.unstacking import plan_unstacking, stacked_on
 from motion.poses import Pose
-from motion.reach import Reach, reach_box, reach_grasp
-from motion.reach_map import Reachable, ReachMap, reach_map
-from motion.rendering import CAMERAS, Camera, Marker, Renderer, rendering_available
-from motion.robot import Robot, load_robot
+from motion.robot.kinematics import ArmKinematics
+from motion.robot.load import Robot, load_robot
+from motion.robot.state import RobotState
 from motion.scene import Box, Scene
-from motion.sensing import Sensor
-from motion.simulator import Execution, PhaseRecord, Simulator
-from motion.spots import free_spots
-from motion.state import RobotState
-from motion.timing import Trajectory
-from motion.transport import plan_transport
-from motion.unstacking import plan_unstacking, stacked_on
+from motion.sim.execution import Execution, PhaseRecord
+from motion.sim.faults import Fault, Jam, Push, Slip
+from motion.sim.rendering import CAMERAS, Camera, Marker, Renderer, rendering_available
+from motion.sim.sensing import Sensor
+from motion.sim.simulator import Simulator
 
 __all__ = [
     "CAMERAS",

@@ -59,7 +59,7 @@ def cached_folder(key: str, build: Callable[[Path], None], root: Path | None = N
 
 
 def intact(folder: Path) -> bool:
-    """Whether every file that the folder's manifest lists is there, unchanged."""
+    """Tells whether every file that the folder's manifest lists is there, unchanged."""
     try:
         files = json.loads((folder / _MANIFEST).read_text())
         return bool(files) and all(_digest(folder / name) == digest for name, digest in files.items())

@@ -1,4 +1,4 @@
-"""What stands around the robot: boxes with names, poses and sizes. Frozen values, checked when they are made."""
+"""Boxes around the robot, with names, poses and sizes. Frozen values, checked when they are made."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from motion.errors import InvalidGoal, InvalidScene, UnknownBody
+from motion.polygons import contains, hull, overlap
 from motion.poses import Array, Pose, about, frozen, matrix
 
 LEANING = 0.05
@@ -90,8 +91,6 @@ class Box:
     @cached_property
     def footprint(self) -> Array:
         """(n, 2) convex outline seen from above, anticlockwise, metres."""
-        from motion.outlines import hull
-
         signs = np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)])
         corners = self.position + (signs * self.size / 2) @ self.axes.T
         return frozen(hull(corners[:, :2]))
@@ -163,8 +162,6 @@ class Scene:
 
     def boxes_above(self, name: str) -> tuple[Box, ...]:
         """The boxes that rest on the box of that name, directly."""
-        from motion.outlines import overlap
-
         below = self.box(name)
         return tuple(
             box
@@ -178,8 +175,6 @@ class Scene:
 
     def below(self, name: str) -> frozenset[str]:
         """Names of the boxes, fixed ones too, that the box of that name rests on, directly."""
-        from motion.outlines import overlap
-
         box = self.box(name)
         return frozenset(
             other.name
@@ -192,8 +187,6 @@ class Scene:
 
     def leaning_on(self, name: str) -> tuple[str, ...]:
         """Names of the loose boxes that lean and touch the box of that name: they would fall were it taken away."""
-        from motion.outlines import overlap
-
         box = self.box(name)
         return tuple(
             other.name
@@ -207,7 +200,7 @@ class Scene:
         )
 
     def resting_position(self, name: str, xy: ArrayLike, ignore: Sequence[str] = ()) -> Array:
-        """Where the centre of a box is when it rests, turned as it is, on whatever is highest below (x, y).
+        """The place of a box's centre when it rests, turned as it is, on whatever is highest below (x, y).
 
         Args:
             name: the box to be set down.
@@ -220,8 +213,6 @@ class Scene:
         Raises:
             InvalidGoal: nothing is there to rest on.
         """
-        from motion.outlines import contains
-
         box = standing(self.box(name))
         point = np.asarray(xy, dtype=np.float64)
         if point.shape != (2,) or not np.all(np.isfinite(point)):

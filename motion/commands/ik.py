@@ -8,7 +8,7 @@ import sys
 from typing import Any
 
 from motion.commands import SUMMARIES
-from motion.commands.numbers import finite
+from motion.commands.finite_numbers import finite
 
 _DOWN = (0.0, 0.0, 1.0, 0.0)
 
@@ -26,9 +26,9 @@ def add_arguments(subparsers: Any) -> None:
 
 def run(args: argparse.Namespace) -> int:
     """Solve and print."""
-    from motion.ik import solve_ik
+    from motion.ik.solver import solve_ik
     from motion.poses import Pose, frozen
-    from motion.robot import load_robot
+    from motion.robot.load import load_robot
 
     solution = solve_ik(args.arm, Pose(frozen(args.position), frozen(args.orientation)), solver=args.solver)
     names = load_robot().arm(args.arm).joints

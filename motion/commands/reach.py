@@ -11,12 +11,12 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from motion.commands import SUMMARIES
-from motion.commands.numbers import finite, positive
+from motion.commands.finite_numbers import finite, positive
 from motion.errors import InvalidGoal
-from motion.state import ARMS
+from motion.robot.state import ARMS
 
 if TYPE_CHECKING:
-    from motion.reach_map import ReachMap
+    from motion.grasp.reach_map import ReachMap
     from motion.scene import Box
 
 _TABLE = (0.65, 0.0, 0.691, 0.7, 1.8, 0.04)
@@ -44,8 +44,8 @@ def add_arguments(subparsers: Any) -> None:
 
 def run(args: argparse.Namespace) -> int:
     """Make or read the map, and answer."""
+    from motion.grasp.reach_map import reach_map
     from motion.poses import frozen
-    from motion.reach_map import reach_map
     from motion.scene import Box
 
     edge = args.block / 1000
@@ -63,7 +63,7 @@ def run(args: argparse.Namespace) -> int:
 
 
 def _of_place(reach: ReachMap, table: Box, edge: float, x: float, y: float) -> dict[str, Any]:
-    """What the map says of a place.
+    """The map's answer for a place.
 
     Raises:
         UnreachableTarget: no hand reaches it, with the reason.
@@ -71,8 +71,8 @@ def _of_place(reach: ReachMap, table: Box, edge: float, x: float, y: float) -> d
     ways = reach.at(x, y)
     place = f"({x:.3f}, {y:.3f})"
     if not ways:
+        from motion.grasp.reach import reach_box
         from motion.poses import frozen
-        from motion.reach import reach_box
         from motion.scene import Box, Scene
 
         block = Box("the block there", frozen((x, y, table.top + edge / 2)), size=frozen((edge,) * 3))
@@ -88,7 +88,7 @@ def _of_place(reach: ReachMap, table: Box, edge: float, x: float, y: float) -> d
 
 def _of_table(reach: ReachMap, output: Path) -> dict[str, Any]:
     """Draws the map, and says how much of the table is within reach."""
-    from motion.reach_picture import reach_picture
+    from motion.grasp.reach_picture import reach_picture
 
     output.parent.mkdir(parents=True, exist_ok=True)
     reach_picture(reach).save(output)

@@ -7,7 +7,7 @@ import pytest
 from by_hand import SCENES, grounded, scene
 
 from grounding import Destination
-from integration.executor import Executor
+from integration.execute.executor import Executor
 
 HERE = Path(__file__).parent
 LINES = [json.loads(line) for line in (HERE / "instructions.jsonl").read_text().splitlines()]

@@ -7,9 +7,9 @@ import pytest
 from by_hand import scene
 
 from grounding import Grounder
-from integration.worlds import scene_of
+from integration.worlds_and_scenes import scene_of
 from motion import Avoidance, load_robot, reach_box, solve_ik
-from motion.collisions import Rules
+from motion.collision.clearance import Rules
 
 LINES = [json.loads(line) for line in (Path(__file__).parent / "instructions.jsonl").read_text().splitlines()]
 PICKS = [line for line in LINES if line["action"] == "pick"]

@@ -2,11 +2,11 @@ import io
 
 import pytest
 
-from motion.build import build
 from motion.cache import cache_root, cached_folder, intact
-from motion.progress import Progress
-from motion.recipe import recipe
-from motion.robot import Robot
+from motion.progress_bar import Progress
+from motion.robot.build import build
+from motion.robot.load import Robot
+from motion.robot.recipe import recipe
 
 
 def _write(folder):

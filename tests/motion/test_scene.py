@@ -3,8 +3,8 @@ import pytest
 from motion_layouts import TABLE, TOP, block
 
 from motion import Box, InvalidGoal, InvalidScene, Pose, Scene, UnknownBody
-from motion.compiled import scene_model
-from motion.outlines import contains, hull, overlap
+from motion.collision.scene_model import scene_model
+from motion.polygons import contains, hull, overlap
 
 
 @pytest.mark.parametrize(

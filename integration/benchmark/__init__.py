@@ -1,0 +1,1 @@
+"""Random worlds with known goals, end to end, as figures."""

@@ -1,0 +1,1 @@
+"""Generated corpora: worlds settled by physics, annotated instructions, images and videos."""

@@ -1,0 +1,1 @@
+"""Text, pictures, videos and a window that show people what happened."""

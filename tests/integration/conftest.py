@@ -1,0 +1,1 @@
+"""Makes `by_hand` importable in the folders below."""
