@@ -11,13 +11,13 @@ import numpy as np
 from grounding.graded.discourse import HANDLING
 from grounding.graded.nouns import Noun, read_noun
 from grounding.graded.reader import Reader
-from grounding.world.scene import ROBOT, SPEAKER, Scene
 from grounding.language.lexicon import meanings
 from grounding.language.parser import Parse
 from grounding.language.tree import Phrase
 from grounding.missing import targets
 from grounding.symbols import LAST, Cardinal, ObjectColor, ObjectType, Ordinal
 from grounding.world import Array
+from grounding.world.scene import ROBOT, SPEAKER, Scene
 
 TOLD = 0.6  # an alternative is taken when it has such a share of what an answer says
 MARGIN = 1.4

@@ -12,7 +12,6 @@ from grounding.forbidding import forbidden
 from grounding.geometry.layout import Layout
 from grounding.graded.belief import GradedBelief
 from grounding.graded.discourse import clauses_of
-from grounding.world.scene import Scene
 from grounding.language.tree import Phrase
 from grounding.literal import LiteralBelief
 from grounding.missing import unknown_named, unknown_things, whats_missing
@@ -23,6 +22,7 @@ from grounding.readings import Reading
 from grounding.result import Destination, GroundedAction, Grounding
 from grounding.symbols import Action, Region, symbol_key
 from grounding.unanswered import nothing_before, open_options, unanswered
+from grounding.world.scene import Scene
 
 ANSWERED = 0.34  # an answer is given when it is so likely
 MARGIN = 1.6  # and so many times likelier than the next one

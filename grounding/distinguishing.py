@@ -14,10 +14,10 @@ import numpy as np
 
 from grounding.describing import name_object
 from grounding.graded.reader import Reader
-from grounding.world.scene import ROBOT, SPEAKER, Scene
 from grounding.language.tree import Phrase, Word
 from grounding.numbers import spelled
 from grounding.world import Array
+from grounding.world.scene import ROBOT, SPEAKER, Scene
 
 CLEAR = 0.75  # what leads to its thing with such a share of all weight is understood
 AMONG = 0.9  # and with such a share among the things in question

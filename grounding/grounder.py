@@ -17,7 +17,6 @@ from grounding.forbidding import without_forbidden
 from grounding.geometry.layout import Layout
 from grounding.graded.belief import GradedBelief, believe
 from grounding.graded.colors import taken_for
-from grounding.world.scene import Scene
 from grounding.inference import Adcg
 from grounding.language.lexicon import meanings
 from grounding.language.parser import Parse, Parser
@@ -32,6 +31,7 @@ from grounding.steps import Step, split
 from grounding.symbols import ObjectColor
 from grounding.unanswered import open_options
 from grounding.world import World
+from grounding.world.scene import Scene
 
 KEPT_SCENES = 16
 LONGEST = 200  # words that an instruction may have

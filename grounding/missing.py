@@ -11,12 +11,12 @@ from grounding.graded import sets
 from grounding.graded import words as w
 from grounding.graded.nouns import Noun, read_noun
 from grounding.graded.reader import Reader
-from grounding.world.scene import Scene
 from grounding.language.lexicon import meanings
 from grounding.language.tree import Phrase
 from grounding.literal.colors import without
 from grounding.numbers import counted, listed, ranked, spelled
 from grounding.symbols import ObjectColor
+from grounding.world.scene import Scene
 
 _LOOKS = 0.35  # an arrangement that looks less like one than this is not spoken of
 _MOSTS = {"row": "longest", "column": "longest", "diagonal": "longest", "tower": "highest"}

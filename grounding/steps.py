@@ -13,11 +13,11 @@ import numpy as np
 from grounding.graded.discourse import HANDLING, clauses_of, read_text
 from grounding.graded.nouns import Noun, read_noun
 from grounding.graded.reader import Reader
-from grounding.world.scene import Scene
 from grounding.graded.words import is_between
 from grounding.language.parser import Parse
 from grounding.language.tree import Phrase, Word
 from grounding.world import Array
+from grounding.world.scene import Scene
 
 Step = tuple[Parse, ...]
 """The parses of one step, the likeliest first."""

@@ -9,10 +9,10 @@ from grounding.graded.discourse import HANDLING
 from grounding.graded.history import is_surely_recalled
 from grounding.graded.nouns import Noun, read_noun
 from grounding.graded.reader import Reader
-from grounding.world.scene import Scene
 from grounding.language.lexicon import meanings
 from grounding.language.tree import Phrase
 from grounding.missing import targets, unknown_things, whats_missing
+from grounding.world.scene import Scene
 
 _OPEN_CLASSES = ("NN", "VB", "JJ")
 _AUXILIARIES = frozenset("is are was were be been being am 's 're do does did has have had will would can could "

@@ -7,10 +7,10 @@ import numpy as np
 from grounding.explanations.values import Weighed
 from grounding.graded.nouns import Noun
 from grounding.graded.reader import Reader
-from grounding.world.scene import SPEAKER, Scene
 from grounding.graded.values import Effect, Membership, Place, Rank, Restriction, Value
 from grounding.language.tree import Phrase
 from grounding.world import Array
+from grounding.world.scene import SPEAKER, Scene
 
 LIKELY = 4  # of the objects or sets that a phrase may mean, so many are told
 _LEAST = 0.005

@@ -12,11 +12,11 @@ from grounding.graded.destinations import Spot, agreed, find_spot, leads_off
 from grounding.graded.destinations.units import in_spaces
 from grounding.graded.discourse import Told, read_text
 from grounding.graded.reader import Reader
-from grounding.world.scene import ROBOT, SPEAKER, Scene
 from grounding.language.parser import Parse
 from grounding.language.tree import Phrase
 from grounding.result import Destination
 from grounding.world import Array
+from grounding.world.scene import ROBOT, SPEAKER, Scene
 
 NEGLIGIBLE = 1e-3  # parses less likely than the best by this factor are not read
 PARSE_WEIGHT = 0.5  # how much a parse's probability counts beside how well its reading agrees with the world

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from grounding.world.scene import Scene
 from grounding.world import Array
+from grounding.world.scene import Scene
 
 _ALIASES = {"purple": ("blue",), "gray": ("white", "black"), "brown": ("orange",), "pink": ("red", "purple")}
 """The basic colours are not taken for others: "red" where nothing is red means something that is not there."""

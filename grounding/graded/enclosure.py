@@ -12,8 +12,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from grounding.graded import scores
-from grounding.world.scene import Scene
 from grounding.world import Array
+from grounding.world.scene import Scene
 
 REACH = 1.3  # gap at which a neighbour counts one half [edges]
 MISCOUNTED = 0.25  # so often one fewer is near than people say

@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 
 from grounding.graded.places import in_place, make_place
-from grounding.world.scene import Scene
 from grounding.graded.values import Restriction
 from grounding.world import Array
+from grounding.world.scene import Scene
 
 
 def distance_from(scene: Scene, agent: str) -> Array:

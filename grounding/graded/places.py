@@ -8,9 +8,9 @@ import numpy as np
 
 from grounding.graded import scores
 from grounding.graded import words as w
-from grounding.world.scene import Scene
 from grounding.graded.values import SETS, Effect, Place, Restriction, Value
 from grounding.world import Array
+from grounding.world.scene import Scene
 
 _WIDE = 0.5  # distances from the middle of a table count so much as those between blocks
 

@@ -14,11 +14,11 @@ from grounding.graded.colors import colored
 from grounding.graded.modifiers import read_effects, with_modifiers
 from grounding.graded.nouns import Noun, read_noun
 from grounding.graded.place_phrases import read_place
-from grounding.world.scene import ROBOT, Scene
 from grounding.graded.selection import FAINT, select
 from grounding.graded.values import SETS, Effect, Rank, Value
 from grounding.language.tree import Phrase
 from grounding.world import Array
+from grounding.world.scene import ROBOT, Scene
 
 STRANGE = 0.08  # a thing called by an unknown name is hardly one of those that are there
 

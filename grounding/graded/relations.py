@@ -9,9 +9,9 @@ import numpy as np
 
 from grounding.graded import scores
 from grounding.graded import words as w
-from grounding.world.scene import Scene
 from grounding.graded.values import SETS, Restriction, Value
 from grounding.world import Array
+from grounding.world.scene import Scene
 
 _PITCH = 1.08  # edges from one block to the next where people count by blocks
 _COUNTED = 0.7  # how often "two blocks behind" is the second block there, rather than so many lengths away

@@ -8,11 +8,11 @@ import numpy as np
 
 from grounding.graded import scores, sets
 from grounding.graded.nouns import Noun
-from grounding.world.scene import Scene
 from grounding.graded.selectors import adjectives, choose
 from grounding.graded.surroundings import lone, single
 from grounding.graded.values import SETS, Effect, Membership, Rank, Restriction, Value
 from grounding.world import Array
+from grounding.world.scene import Scene
 
 FAINT = scores.FLOOR * scores.FLOOR
 """What lies outside a set from which is chosen."""

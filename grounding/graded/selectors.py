@@ -8,9 +8,9 @@ from grounding.graded import scores
 from grounding.graded.nouns import Noun
 from grounding.graded.people import distance_from
 from grounding.graded.places import closeness, make_place, middle_one
-from grounding.world.scene import ROBOT, Scene
 from grounding.graded.values import Rank
 from grounding.world import Array
+from grounding.world.scene import ROBOT, Scene
 
 _JOINT = 2.5  # where several ranks select together, each is seen so much less finely
 _HIGHEST = 0.15  # how often "the top block" is the highest where some lie on others, and not the farthest

@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from grounding.graded import scores
-from grounding.world.scene import Scene
 from grounding.world import Array
+from grounding.world.scene import Scene
 
 UNSTACKED = 0.5
 """How well what touches others, but stands on the table by itself, is single where others are stacked."""

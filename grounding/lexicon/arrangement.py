@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -26,11 +27,13 @@ class Candidate(NamedTuple):
         mask: its members, boolean (n,).
         looks: how much it looks like what is said, in [0, 1].
         form: how it came about: "tower", "line", "slanted", "pair", "ring", "band", "cluster", "all", "first".
+        strength: how much it catches the eye, without bound; as much as it looks where nothing is said.
     """
 
     mask: np.ndarray
     looks: float
     form: str
+    strength: float | None = None
 
 
 def candidates(scene: Scene, kinds: tuple[str, ...], wanted: np.ndarray, number: int | None = None) -> list[Candidate]:
@@ -65,6 +68,18 @@ def candidates(scene: Scene, kinds: tuple[str, ...], wanted: np.ndarray, number:
     return sorted(found.values(), key=lambda c: -c.looks * numbered(c.mask, number))[:_MOST]
 
 
+def overshadowed(found: Sequence[Candidate]) -> Array:
+    """How much less each candidate catches the eye than the one that does most of those with which it shares members.
+
+    Returns:
+        logarithms of the shares, shape (m,), 0 for what is not overshadowed.
+    """
+    masks = np.array([candidate.mask for candidate in found]).astype(float)
+    strengths = np.array([c.looks if c.strength is None else c.strength for c in found])
+    rivals = np.where(masks @ masks.T > 0, strengths[None, :], 0.0).max(axis=1)
+    return np.asarray(np.log(np.maximum(strengths, 1e-2) / np.maximum(rivals, 1e-2)))
+
+
 def numbered(mask: np.ndarray, number: int | None) -> float:
     """How well a set has the number that was said: each one too many or too few speaks against it."""
     return 1.0 if number is None else math.exp(-value("arrangement.number") * abs(int(mask.sum()) - number))
@@ -86,8 +101,9 @@ def _shapes(scene: Scene, kinds: tuple[str, ...], flat: np.ndarray) -> list[Cand
         if not (a.kind in kinds or diagonal):
             continue
         form = "ring" if a.kind == "circle" else "slanted" if slanted else "pair" if a.count == 2 else "line"
+        form += ".evident" if a.evident else ""
         odd = 0.5 if slanted and not diagonal else 0.35 if a.count == 2 else 1.0
-        found.append(Candidate(scene.members(a.mask), odd * looks(a), form))
+        found.append(Candidate(scene.members(a.mask), odd * looks(a), form, odd * max(a.prominence, 0.05)))
     return found
 
 
@@ -131,8 +147,29 @@ def clusters(scene: Scene, wanted: np.ndarray) -> list[Candidate]:
         loose = max(cluster.within / scene.edge - value("arrangement.compact"), 0.0)
         compact = math.exp(-0.5 * (loose / value("arrangement.compact_blur")) ** 2)
         held = compact * (1.0 - math.exp(-max(contrast - 1.0, 0.0) * value("arrangement.contrast")))
-        found.append(Candidate(_mask(scene, members[cluster.members]), held, "cluster"))
+        form = "cluster.evident" if contrast > 2.0 and 3 <= len(cluster.members) <= 8 else "cluster"
+        found.append(Candidate(_mask(scene, members[cluster.members]), held, form))
     return found
+
+
+def together(found: Sequence[Candidate], number: int | None) -> list[Candidate]:
+    """Several arrangements as one set: all that share nothing, or so many of them.
+
+    Args:
+        found: arrangements, the best first.
+        number: how many, or None.
+    """
+    kept: list[Candidate] = []
+    for candidate in found:
+        if not any((candidate.mask & other.mask).any() for other in kept) and candidate.mask.sum() > 1:
+            kept.append(candidate)
+    evident = [c for c in kept if c.form.endswith("evident") or c.form == "tower"]
+    unions = []
+    for name, chosen in (("all", kept if number is None else kept[:number]), ("evident", evident)):
+        if len(chosen) > 1 and (number is None or len(chosen) == number):
+            mask = np.any([candidate.mask for candidate in chosen], axis=0)
+            unions.append(Candidate(mask, float(np.mean([c.looks for c in chosen])), f"several.{name}"))
+    return unions
 
 
 def collected(scene: Scene, weights: Array, number: int | None, universal: bool) -> list[Candidate]:

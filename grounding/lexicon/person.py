@@ -16,12 +16,23 @@ def distance_from(scene: Scene, owner: str) -> Array:
     return np.asarray(np.hypot(offset[:, 0], value("rank.sideways") * offset[:, 1]))
 
 
-def before(scene: Scene, owner: str) -> Array:
-    """How much objects are straight before somebody and near: "in front of you", shape (n,)."""
-    offset = scene.xy - scene.viewpoint(owner).position[:2]
+def before(scene: Scene, owner: str, xy: Array | None = None) -> Array:
+    """How much things are straight before somebody and near: "in front of you".
+
+    Args:
+        scene: the world.
+        owner: who looks.
+        xy: where they are, shape (m, 2) in [m]; all objects where nothing is said.
+
+    Returns:
+        shape (m,), 1 for the best that is straight ahead.
+    """
+    points = scene.xy if xy is None else xy
+    if not len(points):
+        return np.zeros(0)
+    offset = points - scene.viewpoint(owner).position[:2]
     ahead = scene.direction("back", owner)
     along = offset @ ahead
     side = np.abs(offset[:, 0] * ahead[1] - offset[:, 1] * ahead[0])
-    centred = gaussian(side, value("person.centred") * scene.edge)
-    near = np.exp(-(along - along.min(initial=np.inf)) / (value("person.near") * scene.edge)) if scene.n else along
-    return np.asarray(centred * near)
+    near = np.exp(-(along - along.min()) / (value("person.near") * scene.edge))
+    return np.asarray(gaussian(side, value("person.centred") * scene.edge) * near)

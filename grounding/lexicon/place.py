@@ -23,6 +23,7 @@ class Spot:
         middle: whether it is the middle, along what the directions leave free.
         corner: whether a corner is meant.
         outer: whether it is any corner, edge or end, as no direction was named.
+        table: whether it is the table's, however little of it is filled.
     """
 
     directions: tuple[Array, ...] = ()
@@ -30,6 +31,7 @@ class Spot:
     middle: bool = False
     corner: bool = False
     outer: bool = False
+    table: bool = False
 
     @property
     def upright(self) -> int:
@@ -38,11 +40,17 @@ class Spot:
 
 
 def make_spot(
-    scene: Scene, names: tuple[str, ...], owner: str, *, middle: bool = False, corner: bool = False, rim: bool = False
-) -> Spot:
+    scene: Scene, names: tuple[str, ...], owner: str, *, middle: bool = False, corner: bool = False, rim: bool = False,
+    table: bool = False,
+) -> Spot:  # fmt: skip
     """A place from the names of directions as somebody sees them; `rim` for edges, ends and corners."""
     vectors = tuple(scene.direction(name, owner) for name in flat(names))
-    return Spot(vectors, names, middle, corner or len(vectors) > 1, rim and not (vectors or middle))
+    return Spot(vectors, names, middle, corner or len(vectors) > 1, rim and not (vectors or middle), table)
+
+
+def within(scene: Scene, spot: Spot) -> Array:
+    """Positions within what a place is a part of, shape (n, 2): -1 and 1 are its edges."""
+    return scene.on_whole_table if spot.table else scene.scaled
 
 
 def closeness(scene: Scene, spot: Spot) -> Array:
@@ -61,14 +69,14 @@ def closeness(scene: Scene, spot: Spot) -> Array:
 def distances(scene: Scene, spot: Spot) -> Array:
     """How far every object is from a place, shape (n,) in half extents of what it is a part of."""
     if spot.outer:
-        inside = np.maximum(1.0 - np.abs(scene.scaled), 0.0)
+        inside = np.maximum(1.0 - np.abs(within(scene, spot)), 0.0)
         return np.asarray(np.linalg.norm(inside, axis=1) if spot.corner else inside.min(axis=1))
     if not spot.directions:
-        return np.asarray(np.linalg.norm(scene.scaled, axis=1))
+        return np.asarray(np.linalg.norm(within(scene, spot), axis=1))
     vectors = np.array(spot.directions)
-    offset = scene.scaled - vectors.sum(axis=0)
+    offset = within(scene, spot) - vectors.sum(axis=0)
     if len(spot.directions) == 1 and spot.corner:  # one of the two corners of a side
-        across = np.abs(np.abs(scene.scaled @ np.array([-vectors[0][1], vectors[0][0]])) - 1.0)
+        across = np.abs(np.abs(within(scene, spot) @ np.array([-vectors[0][1], vectors[0][0]])) - 1.0)
         return np.hypot(offset @ vectors[0], across)
     return np.asarray(np.linalg.norm(offset, axis=1))
 
@@ -81,7 +89,7 @@ def is_side(spot: Spot) -> bool:
 def truth(scene: Scene, spot: Spot) -> Array:
     """How well every object lies in a place, shape (n,)."""
     if is_side(spot):
-        along = scene.scaled @ spot.directions[0]
+        along = within(scene, spot) @ spot.directions[0]
         return logistic((along - value("place.side")) / value("place.side_blur"))
     away = distances(scene, spot)
     if spot.outer:
@@ -100,7 +108,7 @@ def preference(scene: Scene, spot: Spot, compared: np.ndarray) -> Array:
         compared: the objects among which the best is looked for, boolean (n,).
     """
     if is_side(spot):
-        along = scene.scaled @ spot.directions[0]
+        along = within(scene, spot) @ spot.directions[0]
         return np.asarray(np.exp(value("place.side_pull") * np.minimum(along - along[compared].max(initial=-9.0), 0.0)))
     away = distances(scene, spot)
     return np.asarray(np.exp(-value("place.pull") * (away - away[compared].min(initial=9.0)).clip(0)))

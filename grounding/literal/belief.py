@@ -6,7 +6,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from grounding.graded.belief import GradedBelief
-from grounding.world.scene import ROBOT, SPEAKER, Scene
 from grounding.language.parser import Parse
 from grounding.language.tree import Phrase
 from grounding.literal.presupposed import absences, forms
@@ -14,6 +13,7 @@ from grounding.literal.reader import LiteralReader
 from grounding.literal.texts import Literal, Rival, read_literally
 from grounding.literal.values import FAINT, FIRM, Missing
 from grounding.literal.wider import is_missing
+from grounding.world.scene import ROBOT, SPEAKER, Scene
 
 FAMILIAR = 16  # a text of more words may well be misunderstood where only places tell things apart
 LIKELY = 0.1  # parses with a smaller share of the graded belief say nothing literally

@@ -8,10 +8,10 @@ import numpy as np
 
 from grounding.geometry.layout import UPRIGHT, Layout
 from grounding.geometry.masks import indices_of, mask_of, single
-from grounding.world.scene import Scene
 from grounding.literal.values import Order, Unread
 from grounding.symbols import LAST, Region
 from grounding.world import Array
+from grounding.world.scene import Scene
 
 CONTACT = 0.16  # things touch whose sides are at most so many edges apart
 NO_CONTACT = 0.5  # and do not where they are so many apart; in between it is not clear

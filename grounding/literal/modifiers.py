@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING
 from grounding.geometry.masks import mask_of, single
 from grounding.graded import words as w
 from grounding.graded.nouns import Noun, read_noun
-from grounding.world.scene import SPEAKER
 from grounding.language.lexicon import meanings
 from grounding.language.tree import Phrase, Word
 from grounding.literal.choosing import alone, along, from_reference, to_center, toward
@@ -16,6 +15,7 @@ from grounding.literal.places import NAMES, OPPOSITE, PARTS
 from grounding.literal.relations import region_of
 from grounding.literal.values import Effect, Meant, Member, Narrow, Order, Sided, Unread, Viewed
 from grounding.symbols import Cardinal, ObjectColor, Ordinal, Region
+from grounding.world.scene import SPEAKER
 
 if TYPE_CHECKING:
     from grounding.literal.reader import LiteralReader

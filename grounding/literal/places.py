@@ -5,10 +5,10 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from grounding.graded.nouns import Noun, read_noun
-from grounding.world.scene import SPEAKER
 from grounding.language.lexicon import meanings
 from grounding.literal.values import Meant, Unread
 from grounding.symbols import Cardinal
+from grounding.world.scene import SPEAKER
 
 if TYPE_CHECKING:
     from grounding.literal.reader import LiteralReader

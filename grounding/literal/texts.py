@@ -9,7 +9,6 @@ import numpy as np
 
 from grounding.graded.discourse import read_text
 from grounding.graded.nouns import Noun, read_noun
-from grounding.world.scene import Scene
 from grounding.language.tree import Phrase
 from grounding.literal.modifiers import RELATIONS
 from grounding.literal.presupposed import forms
@@ -17,6 +16,7 @@ from grounding.literal.reader import LiteralReader
 from grounding.literal.values import FIRM, Meant, Missing, Unread
 from grounding.literal.wider import held, is_missing
 from grounding.world import Array
+from grounding.world.scene import Scene
 
 HOLDS = 0.5
 _BACK = frozenset("it its itself them their".split())

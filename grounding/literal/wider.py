@@ -18,8 +18,8 @@ from grounding.graded import sets
 from grounding.graded.colors import colored
 from grounding.graded.nouns import Noun
 from grounding.graded.reader import Reader
-from grounding.world.scene import ROBOT, Scene
 from grounding.literal.values import FIRM, Missing
+from grounding.world.scene import ROBOT, Scene
 
 SHAPED = 0.6
 """An arrangement worth less is none in any sense of the word: nothing that looks like one has the number."""

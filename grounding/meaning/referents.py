@@ -31,6 +31,7 @@ class Region:
         rim: whether it is an edge, an end or a corner.
         bare: whether only directions were named ("the left"), without a noun of place.
         owner: whose side it is, or None for whoever looks.
+        table: whether it is said to be the table's.
     """
 
     names: tuple[str, ...] = ()
@@ -39,6 +40,7 @@ class Region:
     rim: bool = False
     bare: bool = False
     owner: str | None = None
+    table: bool = False
 
 
 @dataclass(frozen=True, eq=False)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from grounding.lexicon.words import is_rim
+from grounding.lexicon.words import is_rim, is_table
 from grounding.meaning.nouns import Noun, read_noun
 from grounding.meaning.reading import Reads
 from grounding.meaning.referents import Condition, Referent, Region, again
@@ -37,7 +37,9 @@ def region_of(noun: Noun, further: Region | None = None) -> Region:
         names += [name for name in further.names if name not in names]
     middle = noun.middle or (further is not None and further.middle)
     rim = any(is_rim(word) for word in noun.text.split())
-    return Region(tuple(names), middle, noun.place == "corner", rim, noun.place is None, noun.agent)
+    whole = noun_of_whole(noun)
+    table = (whole is not None and whole.head == "table") or any(is_table(word) for word in noun.text.split()[:-1])
+    return Region(tuple(names), middle, noun.place == "corner", rim, noun.place is None, noun.agent, table)
 
 
 def at(region: Region, said: str = "") -> Condition:

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from grounding.lexicon import arrangement, colour, rank
+from grounding.lexicon import arrangement, colour, person, rank
 from grounding.lexicon.degrees import peak
 from grounding.lexicon.parameters import value
 from grounding.meaning.referents import Condition, Referent
@@ -17,7 +17,7 @@ from grounding.model.restricting import SETS as TRIED
 from grounding.model.restricting import Evaluates, Held, restricted
 from grounding.model.things import set_case
 from grounding.world import Array
-from grounding.world.scene import Scene
+from grounding.world.scene import ROBOT, Scene
 
 _ENDS = {"row": {"up": 0, "back": 0, "down": -1, "front": -1}, "column": {"left": 0, "right": -1}}
 
@@ -31,6 +31,9 @@ def arrangement_cases(evaluator: Evaluates, referent: Referent) -> list[Case]:
     found = arrangement.candidates(scene, referent.kinds, stuff, number)
     lines = _counted_lines(scene, referent, stuff) if referent.number is None else []
     cases = []
+    if referent.plural:
+        wholes = arrangement.together(found, referent.number)
+        cases += [_case(evaluator, referent, wholes, None, counted=False)] if wholes else []
     if lines:
         cases.append(_case(evaluator, referent, lines, number, counted=True))
     if found:
@@ -48,12 +51,14 @@ def _case(
     case = set_case(Case(scene.n, everything.copy()), found, number)
     assert case.masks is not None
     case.truth = case.truth * np.array([candidate.looks for candidate in found])
+    shadow = arrangement.overshadowed(found)
+    case.add("shadow", shadow)
+    case.add("shadowed", -(shadow < 0).astype(float))
     shares = case.masks / np.maximum(case.masks.sum(axis=1, keepdims=True), 1)
     modifying = [c for c in referent.conditions if c.concept != "colour"]
     for condition in modifying:
         if condition.restricts:
-            held = restricted(evaluator, condition, everything)
-            both = Held(shares @ held.truth, np.clip(shares @ held.preference, 0.0, 1.0))
+            both = _held(evaluator, condition, shares)
             add_held(case, condition, both, ranked=any(c.ranks for c in modifying))
             case.truth = case.truth * both.truth
         elif condition.chooses:
@@ -65,6 +70,16 @@ def _case(
     else:
         _rank(evaluator, case, shares, modifying)
     return case
+
+
+def _held(evaluator: Evaluates, condition: Condition, shares: Array) -> Held:
+    """How well a condition holds of sets: of their members in the mean, or of where they are as wholes."""
+    scene = evaluator.scene
+    if condition.concept == "before" and {"front", "back"} & set(condition.words) and not condition.negated:
+        owner = condition.of[0].person or ROBOT
+        return Held(np.ones(len(shares)), person.before(scene, owner, shares @ scene.xy))
+    held = restricted(evaluator, condition, np.ones(scene.n))
+    return Held(shares @ held.truth, np.clip(shares @ held.preference, 0.0, 1.0))
 
 
 def _inside(evaluator: Evaluates, condition: Condition, shares: Array) -> Array:

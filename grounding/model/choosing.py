@@ -106,10 +106,20 @@ def _placed(scene: Scene, order: Order, pool: Pool, index: int, coarse: float) -
     return Ranked(order.name, held, index == 1)
 
 
-def orders_of(evaluator: Evaluates, conditions: Sequence[Condition], pool: Pool, base: Array) -> list[Order]:
-    """What conditions rank by."""
+def orders_of(
+    evaluator: Evaluates, conditions: Sequence[Condition], pool: Pool, base: Array, *, several: bool = False
+) -> list[Order]:
+    """What conditions rank by.
+
+    Args:
+        evaluator: of a scene.
+        conditions: of a referent.
+        pool: of those among which is chosen.
+        base: how well every object is of the kind that is spoken of, shape (n,).
+        several: whether so many are spoken of: "the three on the right".
+    """
     orders: list[Order] = []
-    counted = any(condition.concept == "ordinal" for condition in conditions)
+    counted = several or any(condition.concept == "ordinal" for condition in conditions)
     for condition in conditions:
         if condition.concept == "extreme" and not condition.negated:
             orders += _extremes(evaluator, condition, pool)

@@ -16,7 +16,7 @@ from grounding.model.things import thing_cases
 from grounding.world import Array
 from grounding.world.scene import ROBOT, Scene
 
-EVEN: Weights = MappingProxyType({"T": 1.0, "P": 1.0, "R": 1.0, "set": 1.0, "looks": 1.0, "number": 1.0,
+EVEN: Weights = MappingProxyType({"T": 1.0, "P": 1.0, "R": 1.0, "set": 1.0, "looks": 1.0, "number": 1.0, "shadow": 1.0,
                                   "buried": -2.3, "stacked": -1.0})  # fmt: skip
 """Equal weights for all concepts."""
 
@@ -44,7 +44,7 @@ class Evaluator:
     def spot(self, region: Region) -> place.Spot:
         """A place as whoever is meant sees it."""
         return place.make_spot(self.scene, region.names, region.owner or self.view, middle=region.middle,
-                               corner=region.corner, rim=region.rim)  # fmt: skip
+                               corner=region.corner, rim=region.rim, table=region.table)  # fmt: skip
 
     def denote(self, referent: Referent, base: Array | None = None, *, carrying: bool = False) -> Denotation:
         """What a referent means.

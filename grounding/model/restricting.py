@@ -265,7 +265,7 @@ def _at(evaluator: Evaluates, condition: Condition, base: Array) -> Held:
         return _plain(np.ones(scene.n))
     spot = evaluator.spot(condition.region)
     if condition.said == "clear":
-        inside = np.all([scene.scaled @ vector > 0 for vector in spot.directions] or [np.ones(scene.n, bool)], axis=0)
+        inside = np.all([place.within(scene, spot) @ vector > 0 for vector in spot.directions] or [np.ones(scene.n, bool)], axis=0)
         return _plain(inside.astype(float))
     return Held(place.truth(scene, spot), place.preference(scene, spot, base > 0.5))
 

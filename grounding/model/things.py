@@ -42,7 +42,8 @@ def thing_cases(evaluator: Evaluates, referent: Referent, base: Array | None, *,
     scene, conditions = evaluator.scene, referent.conditions
     words = tuple(word for c in conditions if c.concept == "colour" and not c.negated for word in c.words)
     kind = colour.truth(scene, words) * (1.0 if base is None else base)
-    held = [(c, _held(evaluator, c, kind, conditions)) for c in conditions if c.restricts]
+    counted = is_counted(referent)
+    held = [(c, _held(evaluator, c, kind, counted=counted)) for c in conditions if c.restricts]
     choices = _choices(evaluator, conditions, kind)
     cases = []
     for choice in sorted(choices, key=lambda c: -c.log)[:_MOST_CASES]:
@@ -66,9 +67,13 @@ def thing_cases(evaluator: Evaluates, referent: Referent, base: Array | None, *,
     return cases
 
 
-def _held(evaluator: Evaluates, condition: Condition, kind: Array, conditions: Sequence[Condition]) -> Held:
+def is_counted(referent: Referent) -> bool:
+    """Whether objects are counted along what is said: "the third on the left", "the three on the left"."""
+    return any(c.concept == "ordinal" for c in referent.conditions) or (referent.plural and referent.number is not None)
+
+
+def _held(evaluator: Evaluates, condition: Condition, kind: Array, *, counted: bool) -> Held:
     """How well a condition holds; where an ordinal counts along it, distance does not speak against."""
-    counted = any(c.concept == "ordinal" for c in conditions)
     if counted and counts_from(condition):
         return Held(np.ones(evaluator.scene.n), np.ones(evaluator.scene.n))
     if counted and condition.concept == "toward" and not condition.negated:
@@ -167,7 +172,9 @@ def _presuppose(case: Case, referent: Referent, pool: Array, *, chosen: bool) ->
 def _several(evaluator: Evaluates, referent: Referent, case: Case, pool: Array, kind: Array) -> list[Case]:
     """What a plural may mean in a pool: the first so many where they are ranked, else what lies together."""
     scene = evaluator.scene
-    orders: list[Order] = orders_of(evaluator, referent.conditions, Pool(pool), kind)
+    orders: list[Order] = orders_of(
+        evaluator, referent.conditions, Pool(pool), kind, several=referent.number is not None
+    )
     first = first_of(orders, pool, referent.number) if referent.number else None
     if first is not None:
         found = [arrangement.Candidate(first, 1.0, "ranked")]

@@ -15,7 +15,7 @@ from grounding.model.cases import Case
 from grounding.world import Array
 
 ROUNDS = 200
-_DEGREES = frozenset("T P R best looks number parse within".split())
+_DEGREES = frozenset("T P R best looks shadow shadowed number parse within".split())
 
 
 class Example(NamedTuple):

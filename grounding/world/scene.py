@@ -74,6 +74,14 @@ class Scene:
         return np.asarray(scaled)
 
     @lazy
+    def on_whole_table(self) -> Array:
+        """Positions on the table, shape (n, 2): -1 and 1 are its edges; within the box where there is no table."""
+        for item in self.layout.world.objects:
+            if item.type == "table":
+                return np.asarray((self.xy - item.position[:2]) / item.half_extents[:2])
+        return self.scaled
+
+    @lazy
     def on_table(self) -> bool:
         """Whether the box is the table's."""
         half = self.box[1]

@@ -7,8 +7,8 @@ from weakref import WeakKeyDictionary
 
 import numpy as np
 
-from grounding.world.scene import Scene
 from grounding.world import Array
+from grounding.world.scene import Scene
 
 PITCH = 1.09  # from block to block where they lie side by side [edges]
 _CELLS = 600  # of the grid, about

@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from grounding.destinations import free_places
-from grounding.world.scene import Scene
 from grounding.world import FURNITURE, Array
+from grounding.world.scene import Scene
 
 ASIDE = 0.6  # how far a place may be moved for that [edges]
 _STEP = 0.1  # of the search [edges]

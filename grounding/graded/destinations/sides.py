@@ -8,8 +8,8 @@ from grounding.graded.destinations.clues import Clue
 from grounding.graded.destinations.maps import Shift, gaussian
 from grounding.graded.destinations.places import PITCH, Plan
 from grounding.graded.reader import Reader
-from grounding.world.scene import SLANT
 from grounding.world import Array
+from grounding.world.scene import SLANT
 
 OUT = 0.68  # how far out sides and corners are, of the way from the middle to the edge
 ALONG = 0.16  # width along what is named, of the half extent

@@ -19,8 +19,8 @@ from grounding.graded.people import before, distance_from
 from grounding.graded.place_phrases import noun_of_whole
 from grounding.graded.places import located, off_middle
 from grounding.graded.relations import along, distance_to, measured, near, vertical
-from grounding.world.scene import ROBOT
 from grounding.graded.values import Effect, Membership, Rank, Restriction, Value
+from grounding.world.scene import ROBOT
 
 if TYPE_CHECKING:
     from grounding.graded.reader import Reader

@@ -20,9 +20,9 @@ from grounding.graded.people import before, distance_from
 from grounding.graded.place_phrases import whole_of
 from grounding.graded.places import closeness, in_place, located, make_place
 from grounding.graded.relations import along, measured
-from grounding.world.scene import ROBOT
 from grounding.graded.surroundings import gaps_to_others
 from grounding.graded.values import Effect, Place, Rank, Restriction, Value
+from grounding.world.scene import ROBOT
 
 if TYPE_CHECKING:
     from grounding.graded.reader import Reader

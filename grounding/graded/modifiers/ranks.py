@@ -10,8 +10,8 @@ from grounding.graded.people import distance_from
 from grounding.graded.place_phrases import whole_of
 from grounding.graded.places import closeness
 from grounding.graded.relations import distance_to
-from grounding.world.scene import ROBOT
 from grounding.graded.values import Effect, Membership, Rank
+from grounding.world.scene import ROBOT
 
 if TYPE_CHECKING:
     from grounding.graded.reader import Reader

@@ -1,0 +1,64 @@
+"""Single phrases in a scene: what a noun phrase by itself means, for places, questions and descriptions."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from grounding.language.tree import Phrase
+from grounding.meaning.nouns import Noun, read_noun
+from grounding.meaning.reader import Reader
+from grounding.meaning.reading import Context
+from grounding.meaning.referents import Referent
+from grounding.model.cases import Denotation
+from grounding.model.evaluator import Evaluator
+from grounding.world import Array
+from grounding.world.scene import Scene
+
+
+class Meant(NamedTuple):
+    """What a noun speaks of, and what that is in a scene.
+
+    Attributes:
+        referent: as it was read.
+        denotation: in the scene.
+    """
+
+    referent: Referent
+    denotation: Denotation
+
+
+class PhraseReader:
+    """Reads single noun phrases in one scene with one view, after what was told before.
+
+    Args:
+        evaluator: of the scene, with the view and the weights.
+        mentioned: what "it" is, or None.
+        several: whether that are several.
+    """
+
+    def __init__(self, evaluator: Evaluator, mentioned: Referent | None = None, *, several: bool = False) -> None:
+        self.evaluator = evaluator
+        self.context = Context(mentioned, several, bool(evaluator.history))
+
+    @property
+    def scene(self) -> Scene:
+        """The scene."""
+        return self.evaluator.scene
+
+    @property
+    def view(self) -> str:
+        """Whose left is meant where nobody is named."""
+        return self.evaluator.view
+
+    def noun(self, noun: Noun) -> Meant:
+        """What a noun means."""
+        referent = Reader(self.context).refer(noun)
+        return Meant(referent, self.evaluator.denote(referent))
+
+    def phrase(self, phrase: Phrase) -> Meant:
+        """What a noun phrase means."""
+        return self.noun(read_noun(phrase))
+
+    def weights(self, noun: Noun) -> Array:
+        """How likely each object is what a noun means, shape (n,); 1 for the best, all 0 where nothing is."""
+        return self.noun(noun).denotation.weights
