@@ -8,8 +8,8 @@ its own, by turns in OTHER and here, and is processor time, so that what else th
 "cold": the first instruction over 20 objects by a grounder that was just loaded, without loading. "parse": its parsing.
 "large": measuring and grounding in a world of 200 objects that nothing was asked of before, once the text was parsed;
 "measure": only measuring that world. "ground" is the command `python -m grounding ground` from start to exit.
-Parses are compared on the sentences held out from the treebank, on the treebank, on texts drawn from the grammar's
-sampler, and on the first and the last of these with misspelt words; arrangements on composed, random and regular worlds.
+Parses are compared on the sentences held out from the treebank, on the treebank, on texts drawn from its sampler, and
+on held-out and drawn ones with a letter missing; arrangements on composed, random and regular worlds.
 """
 
 from __future__ import annotations
@@ -102,9 +102,9 @@ def probe_arrangements(args: argparse.Namespace) -> list[Any]:
 
     found = []
     for name, positions, edges in scenes(args.worlds):
-        seen = find_arrangements(positions, edges)
         found.append([name, [[f"{a.kind} {a.mask} {a.count} {a.evident} {a.noticed}", *map(float, a.centroid),
-                              a.deviation, a.regularity, a.separation, a.angle, a.prominence] for a in seen]])  # fmt: skip
+                              a.deviation, a.regularity, a.separation, a.angle, a.prominence]
+                             for a in find_arrangements(positions, edges)]])  # fmt: skip
     return found
 
 

@@ -10,8 +10,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from grounding.language.contexts import Symbol
 from grounding.language.forest import Edge, Node
-from grounding.language.probabilities import Symbol
 from grounding.language.rules import Rules
 from grounding.language.tree import Word
 
