@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import cached_property
+from math import exp
 
-import numpy as np
-
+from grounding.lazy import lazy
 from grounding.world import Array
 
 
@@ -34,22 +33,22 @@ class Arrangement:
     separation: float
     angle: float = 0.0
 
-    @cached_property
+    @lazy
     def prominence(self) -> float:
         """How much it catches the eye, for choosing among arrangements that share members; above 0 at all."""
         if self.kind == "tower":
             return 2.0 + self.count
         if self.kind == "group":
             return float(min(self.separation, 4.0) - 1.1) * (1.0 if 3 <= self.count <= 8 else 0.4)
-        fit = np.exp(-((self.deviation / 0.35) ** 2) - (self.angle / 0.4) ** 2 - ((1 - self.regularity) / 0.6) ** 2)
-        return float(fit) * float(self.count - (1.0 if self.kind != "circle" else 2.0)) * min(self.separation, 1.5)
+        fit = exp(-((self.deviation / 0.35) ** 2) - (self.angle / 0.4) ** 2 - ((1 - self.regularity) / 0.6) ** 2)
+        return fit * float(self.count - (1.0 if self.kind != "circle" else 2.0)) * min(self.separation, 1.5)
 
     @property
     def noticed(self) -> bool:
         """Whether people who look for one might take it for one, evident or not."""
         return self.prominence > (0.0 if self.kind == "group" else 0.3)
 
-    @cached_property
+    @lazy
     def evident(self) -> bool:
         """Whether people would name it without being asked: enough members, well formed, apart from others."""
         if self.kind == "tower":

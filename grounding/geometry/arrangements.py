@@ -50,7 +50,7 @@ def find_towers(positions: Array, edges: Array) -> tuple[list[Arrangement], np.n
     above = beside & (np.abs(offset[:, :, 2] - reach) < 0.35 * reach)
     base = ~above.any(axis=0)
     towers, seen = [], np.zeros(n, dtype=bool)
-    for start in np.flatnonzero(base):
+    for start in np.flatnonzero(base & above.any(axis=1)):
         members, level = [int(start)], above[start]
         while level.any():
             members += [int(i) for i in np.flatnonzero(level) if int(i) not in members]

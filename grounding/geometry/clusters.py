@@ -27,14 +27,16 @@ def find_groups(positions: Array, distances: Array) -> list[Arrangement]:
         for member in members:
             label[member] = number
         found.append((members, gap, number))
-    result = []
-    for members, gap, number in found:
-        if parent_gap.get(number, np.inf) <= gap + SAME:  # one of several merged at once: which came first says nothing
-            continue
-        apart = parent_gap.get(number, 3 * gap) / max(gap, 1e-6)
-        centroid = positions[members].mean(axis=0)
-        result.append(Arrangement("group", masks[number], len(members), centroid, 0.0, 1.0, apart))
-    return result
+    # One of several that are merged at once is left out: which came first says nothing.
+    kept = [one for one in found if parent_gap.get(one[2], np.inf) > one[1] + SAME]
+    sizes = np.array([len(members) for members, _, _ in kept])
+    sums = np.add.reduceat(positions[np.concatenate([one[0] for one in kept])], np.cumsum(sizes) - sizes, axis=0)
+    return [
+        Arrangement(
+            "group", masks[number], len(members), centroid, 0.0, 1.0, parent_gap.get(number, 3 * gap) / max(gap, 1e-6)
+        )
+        for (members, gap, number), centroid in zip(kept, sums / sizes[:, None], strict=True)
+    ]
 
 
 def _spanning_tree(distances: Array) -> list[tuple[float, int, int]]:

@@ -14,6 +14,7 @@ from grounding.world import Array
 
 TOLERANCES = ((0.45, 1.7), (1.2, 2.6))  # distance from the line [edges], largest ratio of neighbouring gaps
 ELONGATED = 0.3  # a cluster is a band, seen as a line, when its second axis is at most so long, of the first
+_DOUBT = 1e-9  # moments that differ by less are looked at more closely [m^2]
 NEIGHBOURS = 8  # pairs are formed among so many nearest neighbours
 
 
@@ -46,16 +47,29 @@ def find_lines(positions: Array, distances: Array, flat: np.ndarray, edge: float
 
 def find_bands(positions: Array, distances: Array, groups: Sequence[Arrangement], edge: float) -> list[Arrangement]:
     """The clusters that are long and narrow, as rows or columns."""
-    bands, masks = [], []
-    for group in groups:
-        if group.count >= 3:
-            members = np.array(list(indices_of(group.mask)))
-            points = positions[members, :2]
-            singular = np.linalg.svd(points - points.mean(axis=0), compute_uv=False)
-            if singular[1] <= ELONGATED * singular[0]:
-                bands.append(members)
-                masks.append(group.mask)
-    return _measured(positions, distances, bands, masks, edge)
+    masks = [group.mask for group in groups if group.count >= 3]
+    sets = [np.array(list(indices_of(mask))) for mask in masks]
+    narrow = [place for place in _perhaps_narrow(positions, sets) if _is_narrow(positions[sets[place], :2])]
+    return _measured(positions, distances, [sets[p] for p in narrow], [masks[p] for p in narrow], edge)
+
+
+def _perhaps_narrow(positions: Array, sets: Sequence[np.ndarray]) -> np.ndarray:
+    """The places of the sets that are not clearly too wide to be bands, by their second moments."""
+    if not sets:
+        return np.zeros(0, dtype=int)
+    x, y = (positions[:, :2] - positions[:, :2].mean(axis=0)).T
+    values = np.stack([x, y, x * x, x * y, y * y], axis=1)[np.concatenate(sets)]
+    sizes = np.array([len(one) for one in sets])
+    sums = np.add.reduceat(values, np.cumsum(sizes) - sizes, axis=0) / sizes[:, None]
+    x, y, xx, xy, yy = sums.T
+    xx, xy, yy = xx - x * x, xy - x * y, yy - y * y
+    half, root = (xx + yy) / 2, np.hypot((xx - yy) / 2, xy)
+    return np.flatnonzero(half - root <= ELONGATED**2 * (half + root) + _DOUBT)
+
+
+def _is_narrow(points: Array) -> bool:
+    singular = np.linalg.svd(points - points.mean(axis=0), compute_uv=False)
+    return bool(singular[1] <= ELONGATED * singular[0])
 
 
 def _pairs(apart: Array, least: float) -> _Pairs:
@@ -82,14 +96,14 @@ def _grown(points: Array, pairs: _Pairs, tolerance: float, ratio: float) -> list
     if not len(pairs.gap):
         return []
     start, gap = points[pairs.first], pairs.gap
-    direction = (points[pairs.second] - start) / gap[:, None]
-    offset = points[None] - start[:, None]
-    along = np.matmul(offset, direction[:, :, None])[:, :, 0]
-    across = np.abs(offset[:, :, 0] * direction[:, 1, None] - offset[:, :, 1] * direction[:, 0, None])
+    x, y = ((points[pairs.second] - start) / gap[:, None]).T
+    dx, dy = (points[:, axis] - start[:, axis, None] for axis in range(2))
+    across = np.abs(dx * y[:, None] - dy * x[:, None])
     rows, inliers = np.nonzero(across <= np.minimum(tolerance, 0.35 * gap)[:, None])
-    order = np.lexsort((along[rows, inliers], rows))
+    along = dx[rows, inliers] * x[rows] + dy[rows, inliers] * y[rows]
+    order = np.lexsort((along, rows))
     inliers = inliers[order]  # of all lines, one after the other, each in its direction
-    steps = np.diff(along[rows, inliers])
+    steps = np.diff(along[order])
     even = (rows[1:] == rows[:-1]) & (gap[rows[1:]] / ratio <= steps) & (steps <= gap[rows[1:]] * ratio)
     ends = np.concatenate([[-1], np.flatnonzero(~even), [len(rows) - 1]])  # a run ends at each of these places
     here, there = np.flatnonzero(inliers == pairs.first[rows]), np.flatnonzero(inliers == pairs.second[rows])
