@@ -111,15 +111,23 @@ class Subsets:
 
     @cached_property
     def neighbours(self) -> tuple[Array, Array]:
-        """Distance of each member to the nearest other member and to the nearest other object."""
-        within, beyond = np.full(self.inside.shape, np.inf), np.full(self.inside.shape, np.inf)
+        """Distance of every object to the nearest other that is a member, and of members to the nearest that is none.
+
+        Both have shape (m, n); infinite where there is none, the second also for objects that are no members.
+        """
+        rows, objects = np.nonzero(self.inside)
+        starts = np.flatnonzero(np.diff(rows, prepend=-1))
         apart = self.distances + np.diag(np.full(len(self.distances), np.inf))
+        within, beyond = np.full(self.inside.shape, np.inf), np.full(self.inside.shape, np.inf)
         step = max(1, _CELLS // max(len(apart), 1) ** 2)
         for start in range(0, len(self.inside), step):
-            part = slice(start, start + step)
-            others = self.inside[part, None, :]
-            within[part] = np.where(others, apart, np.inf).min(axis=2)
-            beyond[part] = np.where(others, np.inf, apart).min(axis=2)
+            sets = slice(start, start + step)
+            first = starts[start]
+            pairs = slice(first, starts[start + step] if start + step < len(starts) else len(rows))
+            reach = apart[objects[pairs]]
+            within[sets] = np.minimum.reduceat(reach, starts[sets] - first, axis=0)
+            reach[self.inside[rows[pairs]]] = np.inf
+            beyond[rows[pairs], objects[pairs]] = reach.min(axis=1)
         return within, beyond
 
     @cached_property
