@@ -29,7 +29,8 @@ def find_arrangements(positions: Array, edges: Array) -> tuple[Arrangement, ...]
         return ()
     edge = float(np.median(edges))
     towers, base = find_towers(positions, edges)
-    distances = np.linalg.norm(positions[:, None, :2] - positions[None, :, :2], axis=2)
+    dx, dy = (np.subtract.outer(positions[:, axis], positions[:, axis]) for axis in range(2))
+    distances = np.sqrt(dx * dx + dy * dy)
     flat = np.flatnonzero(base)
     found = [*towers]
     if len(flat) >= 2:
@@ -44,11 +45,12 @@ def find_arrangements(positions: Array, edges: Array) -> tuple[Arrangement, ...]
 def find_towers(positions: Array, edges: Array) -> tuple[list[Arrangement], np.ndarray]:
     """Stacks of two and more, and which objects stand on no other one, shape (n,)."""
     n = len(positions)
-    offset = positions[None, :, :] - positions[:, None, :]  # [a, b]: from a to b
     reach = (edges[:, None] + edges[None, :]) / 2
-    beside = np.abs(offset[:, :, :2]).max(axis=2) < 0.6 * reach
-    above = beside & (np.abs(offset[:, :, 2] - reach) < 0.35 * reach)
-    base = ~above.any(axis=0)
+    above: np.ndarray = np.ones((n, n), dtype=bool)  # [a, b]: b on a
+    for axis in range(2):
+        above &= np.abs(np.subtract.outer(positions[:, axis], positions[:, axis])) < 0.6 * reach
+    above &= np.abs(positions[None, :, 2] - positions[:, 2, None] - reach) < 0.35 * reach
+    base = np.asarray(~above.any(axis=0))
     towers, seen = [], np.zeros(n, dtype=bool)
     for start in np.flatnonzero(base & above.any(axis=1)):
         members, level = [int(start)], above[start]

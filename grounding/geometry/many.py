@@ -10,7 +10,7 @@ from grounding.world import Array
 
 ALONE = 3.0  # separation of what has no other object beside it
 _LEAST = 1e-6  # the smallest gap that separations are measured by [m]
-_CELLS = 1 << 21  # of an array at a time
+_CELLS = 1 << 15  # of an array at a time: it stays in the cache
 
 
 def parts(count: int, cells: int) -> Iterator[slice]:
