@@ -81,4 +81,6 @@ def _refuse(*messages: str) -> int:
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    code = main()
+    gc.freeze()  # what is left goes with the process: nothing need be looked through on the way out
+    sys.exit(code)
