@@ -124,20 +124,23 @@ class Subsets:
     @cached_property
     def linkage(self) -> Array:
         """The largest gap that has to be crossed to get from any member to any other (Prim's trees, side by side)."""
-        rows = np.arange(len(self.inside))
-        first = self.inside.argmax(axis=1)
-        left = self.inside.copy()
-        left[rows, first] = False
+        order = np.argsort(-self.count, kind="stable")  # the largest sets first: the others are done before them
+        count, left = self.count[order], self.inside[order]
+        first = left.argmax(axis=1)
+        left[np.arange(len(left)), first] = False
         best = self.distances[first].copy()
-        largest = np.zeros(len(rows))
-        for _ in range(int(self.count.max(initial=1)) - 1):
-            reach = np.where(left, best, np.inf)
+        largest = np.zeros(len(left))
+        for joined in range(1, int(count.max(initial=1))):
+            number = int(np.searchsorted(-count, -joined))  # of sets that have more members
+            rows = np.arange(number)
+            reach = np.where(left[:number], best[:number], np.inf)
             nearest = reach.argmin(axis=1)
-            gap = reach[rows, nearest]
-            largest = np.maximum(largest, np.where(np.isfinite(gap), gap, 0.0))
+            largest[:number] = np.maximum(largest[:number], reach[rows, nearest])
             left[rows, nearest] = False
-            best = np.minimum(best, self.distances[nearest])
-        return largest
+            best[:number] = np.minimum(best[:number], self.distances[nearest])
+        found = np.empty(len(largest))
+        found[order] = largest
+        return found
 
 
 def between_all(positions: Array) -> Array:
