@@ -6,9 +6,9 @@ OTHER is a second working tree, such as `git worktree add ../base COMMIT` makes.
 its own, by turns in OTHER and here, and is processor time, so that what else the computer does weighs little.
 
 "cold": the first instruction over 20 objects by a grounder that was just loaded, without loading. "parse": its parsing.
-"large": measuring and grounding in a world of 200 objects that nothing was asked of before, once the text was parsed;
-"measure": only measuring another one. "kept": the small world again. "ground" is the command `python -m grounding
-ground` from start to exit, with its modules' bytecode at hand, which is kept apart for both checkouts.
+"large": measuring and grounding in worlds of 200 objects that nothing was asked of before, once the texts were parsed;
+"asked": the same where the answer is a question; "measure": only measuring one. "kept": the small world again. "ground"
+is the command `python -m grounding ground` from start to exit, with its modules' bytecode at hand, for both apart.
 Parses are compared on the sentences held out from the treebank, on the treebank, on texts drawn from its sampler, and
 on held-out and drawn ones with a letter missing; arrangements on composed, random and regular worlds.
 """
@@ -31,6 +31,7 @@ from typing import Any
 
 ROOT = Path(__file__).resolve().parents[1]
 TEXT = "pick up the middle block in the row of five blocks on the right"
+TEXTS = (TEXT, "take the leftmost red block", "put the nearest block beside the tower")
 SAME = 1e-12
 
 
@@ -42,7 +43,8 @@ def probe_times(_: argparse.Namespace) -> dict[str, float]:
     from grounding.experiments.large_worlds import compose_large
     from grounding.geometry.layout import Layout
 
-    small, large, other = (compose_large(np.random.default_rng(7), count) for count in (20, 200, 200))
+    small, asked, other = (compose_large(np.random.default_rng(7), count) for count in (20, 200, 200))
+    large = [(text, compose_large(np.random.default_rng(seed), 200)) for seed in (1, 2, 3) for text in TEXTS]
     seconds: dict[str, float] = {}
 
     def timed(name: str, run: Callable[[], object]) -> Any:
@@ -55,7 +57,10 @@ def probe_times(_: argparse.Namespace) -> dict[str, float]:
     timed("parse", lambda: grounder.parser.parse(TEXT))
     fresh = Grounder.load()
     timed("cold", lambda: fresh.ground(TEXT, small))
-    timed("large", lambda: fresh.ground(TEXT, large))
+    for text in TEXTS:
+        fresh.ground(text, small)
+    timed("large", lambda: [fresh.ground(text, world) for text, world in large])
+    timed("asked", lambda: fresh.ground(TEXT, asked))
     timed("kept", lambda: fresh.ground(TEXT, small))
     layout = Layout(other)
     timed("measure", lambda: layout.evident)
