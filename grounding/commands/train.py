@@ -23,6 +23,7 @@ from grounding.corpus.wording import sampled_sentences, sentences_of
 from grounding.factors import save_model
 from grounding.features import FAMILIES
 from grounding.geometry.layout import Layout
+from grounding.language.compiled import write_tables
 from grounding.language.grammar import Grammar
 from grounding.learning import learn
 from grounding.learning.examples import Annotated, annotated
@@ -46,18 +47,24 @@ def add_arguments(subparsers: Any) -> None:
     parser.add_argument("--trees", type=Path, default=models.TREEBANK, metavar="DIR",
                         help="folder of *.trees files that the grammar is learned from, beside the corpus")  # fmt: skip
     parser.add_argument("--output", type=Path, default=models.ROOT, metavar="DIR",
-                        help="where grammar.json, weights.npz and weights.json go (default: models)")  # fmt: skip
+                        help="where grammar.json, grammar.tables, weights.npz and weights.json go (default: "
+                        "models)")  # fmt: skip
     parser.add_argument("--variants", type=_count, default=VARIANTS, metavar="N",
                         help="so many variants of every tree are annotated and learned from as well")  # fmt: skip
     parser.add_argument("--sampled", type=_count, default=SAMPLED, metavar="N",
                         help="the grammar is learned from the trees of N sampled texts as well")  # fmt: skip
     parser.add_argument("--grammar-only", action="store_true", help="learn and write the grammar, leave the weights")
+    parser.add_argument("--tables-only", action="store_true",
+                        help="learn nothing; write grammar.tables for the grammar.json that is there")  # fmt: skip
     parser.add_argument("--penalty", type=_strength, default=PENALTY, help="strength of the L2 regularisation")
 
 
 def run(args: argparse.Namespace) -> int:
     """Train, write, and print a summary as JSON."""
     start = time.perf_counter()
+    if args.tables_only:
+        write_tables(args.output / models.GRAMMAR.name)
+        return _finish({}, start, args.output)
     corpora = [load_corpus(path) for path in args.corpus or [None]]
     if args.generated:
         _say(f"{args.generated} examples are generated")
@@ -88,6 +95,7 @@ def _write_grammar(grammar: Grammar, folder: Path) -> None:
     written = folder / (models.GRAMMAR.name + ".part")
     written.write_text(grammar.to_json(), encoding="utf-8")
     os.replace(written, folder / models.GRAMMAR.name)
+    write_tables(folder / models.GRAMMAR.name)
 
 
 def _finish(counts: dict[str, int], start: float, folder: Path) -> int:

@@ -6,7 +6,7 @@ from weakref import WeakKeyDictionary
 
 import numpy as np
 
-from grounding.geometry.arrangements import find_groups
+from grounding.geometry.clusters import find_groups
 from grounding.geometry.layout import Layout
 from grounding.geometry.masks import indices_of, mask_of
 

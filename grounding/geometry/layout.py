@@ -8,6 +8,7 @@ import numpy as np
 
 from grounding.geometry.arrangements import Arrangement, find_arrangements
 from grounding.geometry.masks import indices_of, mask_of
+from grounding.geometry.prominence import evident, prominent
 from grounding.geometry.regions import in_any_region, in_region
 from grounding.lazy import lazy
 from grounding.symbols import LAST, Region
@@ -15,11 +16,6 @@ from grounding.world import Array, World
 
 UPRIGHT = {"top": "back", "bottom": "front"}  # on a table seen from above, top is away
 ABSOLUTE = ("left", "right", "front", "back", "near", "far", "top", "bottom")
-
-
-def _mostly(mask: int, shape: int) -> bool:
-    """Whether most members of a set are members of a shape."""
-    return (mask & shape).bit_count() > 0.7 * mask.bit_count()
 
 
 class Layout:
@@ -63,15 +59,8 @@ class Layout:
 
     @lazy
     def evident(self) -> frozenset[tuple[str, int]]:
-        """What people would name unasked, by kind and members.
-
-        A row is not called a group as well, and three of a group that happen to be in line are not called a row.
-        """
-        shapes = self.prominent(a for a in self.arrangements if a.kind != "group" and a.evident)
-        groups = self.prominent(a for a in self.arrangements if a.kind == "group" and a.evident)
-        apart = [g for g in groups if not any(_mostly(g.mask, shape.mask) for shape in shapes)]
-        chance = {s.mask for s in shapes for g in apart if s.count == 3 and not s.mask & ~g.mask}
-        return frozenset((a.kind, a.mask) for a in (*shapes, *apart) if a.kind == "tower" or a.mask not in chance)
+        """What people would name unasked, by kind and members; see `evident`."""
+        return evident(self.arrangements)
 
     def fitting(self, kinds: tuple[str, ...], wanted: int, counts: frozenset[int]) -> tuple[Arrangement, ...]:
         """The prominent arrangements of some kinds (any if empty), made of wanted objects, of some counts (any)."""
@@ -101,14 +90,7 @@ class Layout:
         """The arrangements by kind and members."""
         return {(a.kind, a.mask): a for a in self.arrangements}
 
-    @staticmethod
-    def prominent(arrangements: Iterable[Arrangement]) -> tuple[Arrangement, ...]:
-        """Of arrangements that share members, those that catch the eye; the most prominent first."""
-        kept: list[Arrangement] = []
-        for a in sorted(arrangements, key=lambda a: (-a.prominence, a.kind, a.mask)):
-            if a.prominence > 0 and not any(a.kind == b.kind and a.mask & b.mask for b in kept):
-                kept.append(a)
-        return tuple(kept)
+    prominent = staticmethod(prominent)
 
     @lazy
     def clear_top(self) -> int:

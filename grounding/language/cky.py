@@ -10,13 +10,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from grounding.language.contexts import Symbol
 from grounding.language.forest import Edge, Node
-from grounding.language.probabilities import Symbol
+from grounding.language.pruning import Beam, Table, prune
 from grounding.language.rules import Rules
 from grounding.language.tree import Word
 
 FRAGMENT = "FRAG"
-Table = dict[int, Node]
 
 
 @dataclass(frozen=True)
@@ -32,24 +32,6 @@ class Lexeme:
     word: Word
     label: str
     log_probability: float
-
-
-@dataclass(frozen=True)
-class Beam:
-    """How much of the chart is kept.
-
-    Attributes:
-        width: a node is dropped when it is worse than the best of its cell by more than this, as log probability.
-        size: at most so many constituents, and so many unfinished phrases on each side, stay in a cell.
-        slack: a cell is looked at once more when its constituents have become heads of others; then this much is added
-            to the width, and as many nodes to the size.
-        span: no constituent has more words than this.
-    """
-
-    width: float = 7.5
-    size: int = 6
-    slack: int = 1
-    span: int = 40
 
 
 @dataclass(frozen=True)
@@ -117,19 +99,19 @@ def _fill(rules: Rules, sentence: Sequence[Sequence[Lexeme]], beam: Beam) -> lis
                     _extend_left(rules, complete[start], leftwards, left)
                 if not right and not left:
                     continue
-                _prune(right, rules.state_rank, beam)
+                prune(right, rules.state_rank, beam)
                 if ends[end - 1]:
-                    _prune(left, rules.state_rank, beam)
+                    prune(left, rules.state_rank, beam)
                     for state, node in [*right.items(), *left.items()]:
                         _close(rules, state, node, whole, left, ending[start])
                     if not begins[start]:
                         whole.clear()
-                    _prune(whole, rules.symbol_rank, beam)
+                    prune(whole, rules.symbol_rank, beam)
             if whole:
                 _start(rules, whole, right, left, ending[start])
-                _prune(whole, rules.symbol_rank, beam, beam.slack)
-            _prune(right, rules.state_rank, beam, beam.slack)
-            _prune(left, rules.state_rank, beam, beam.slack)
+                prune(whole, rules.symbol_rank, beam, beam.slack)
+            prune(right, rules.state_rank, beam, beam.slack)
+            prune(left, rules.state_rank, beam, beam.slack)
             if right and end < size:
                 rightwards[start].append((end, right))
             if left:
@@ -229,16 +211,6 @@ def _start(rules: Rules, whole: Table, right: Table, left: Table, before: frozen
             _close(rules, state, part, whole, left, before)
         if len(whole) > known:
             pending = sorted({*pending, *list(whole)[known:]}, key=lambda number: (depth[number], number))
-
-
-def _prune(table: Table, rank: list[float], beam: Beam, slack: int = 0) -> None:
-    if len(table) < 2:
-        return
-    scores = sorted(((node.score + rank[number], number) for number, node in table.items()), reverse=True)
-    limit = scores[0][0] - beam.width - slack
-    for place, (score, number) in enumerate(scores):
-        if score < limit or place >= beam.size + slack:
-            del table[number]
 
 
 def _cover(rules: Rules, chart: list[list[Table]], size: int, cover: Cover) -> Node:

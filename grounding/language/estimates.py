@@ -2,7 +2,42 @@
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
+from typing import NamedTuple
+
+Row = Mapping[str, float]
+"""Outcome -> how often it was seen in one context."""
+
+
+class Level(NamedTuple):
+    """What was seen in one context, as an estimate needs it."""
+
+    row: Row
+    total: float
+    """How much was seen."""
+    weight: float
+    """Of the next more general context."""
+
+
+class Chain(NamedTuple):
+    """The levels of a chain of contexts, without contexts in which nothing was seen."""
+
+    first: Level | None
+    """Of the most general context."""
+    rest: tuple[Level, ...]
+    """Of the others, the most specific last."""
+
+    def probability(self, outcome: str, base: float = 0.0) -> float:
+        """P(outcome | the most specific context); see `BackOff.probability`."""
+        value = base
+        if self.first is not None:
+            row, total, weight = self.first
+            if not base:
+                weight = 0.0
+            value = (row.get(outcome, 0.0) + weight * value) / (total + weight)
+        for row, total, weight in self.rest:
+            value = (row.get(outcome, 0.0) + weight * value) / (total + weight)
+        return value
 
 
 class BackOff:
@@ -11,28 +46,33 @@ class BackOff:
     Each level is interpolated with the next more general one after I. Witten and T. Bell, "The zero-frequency problem"
     (IEEE Transactions on Information Theory 37(4), 1991): the general level weighs as much as `novelty` times the
     number of different outcomes seen in the specific context.
+
+    Attributes:
+        rows: what was seen in every context.
+        novelty: weight of the general level, positive.
     """
 
-    def __init__(self, events: Iterable[tuple[Sequence[Hashable], Hashable, float]], novelty: float) -> None:
+    def __init__(self, rows: Mapping[str, Row], novelty: float) -> None:
+        self.rows = rows
+        self.novelty = novelty
+        self._levels: dict[str, Level | None] = {}
+
+    @classmethod
+    def count(cls, events: Iterable[tuple[Sequence[str], str, float]], novelty: float) -> BackOff:
         """Count.
 
         Args:
             events: (contexts from the most general to the most specific, outcome, count).
             novelty: weight of the general level, positive.
         """
-        self._novelty = novelty
-        self._rows: dict[Hashable, dict[Hashable, float]] = {}
+        rows: dict[str, dict[str, float]] = {}
         for contexts, outcome, count in events:
             for context in contexts:
-                row = self._rows.setdefault(context, {})
+                row = rows.setdefault(context, {})
                 row[outcome] = row.get(outcome, 0.0) + count
-        self._totals = {context: sum(row.values()) for context, row in self._rows.items()}
+        return cls(rows, novelty)
 
-    def outcomes(self, context: Hashable) -> Mapping[Hashable, float]:
-        """What was seen in one context, with counts."""
-        return self._rows.get(context, {})
-
-    def probability(self, contexts: Sequence[Hashable], outcome: Hashable, base: float = 0.0) -> float:
+    def probability(self, contexts: Sequence[str], outcome: str, base: float = 0.0) -> float:
         """P(outcome | the last of the contexts).
 
         Args:
@@ -40,11 +80,16 @@ class BackOff:
             outcome: the outcome.
             base: its probability before anything was seen; 0 leaves the most general context unsmoothed.
         """
-        value = base
-        for level, context in enumerate(contexts):
-            row = self._rows.get(context)
-            if row is None:
-                continue
-            weight = self._novelty * len(row) if level or base else 0.0
-            value = (row.get(outcome, 0.0) + weight * value) / (self._totals[context] + weight)
-        return value
+        return self.chain(contexts).probability(outcome, base)
+
+    def chain(self, contexts: Sequence[str]) -> Chain:
+        """The levels of some contexts, for estimates of several outcomes."""
+        first, *rest = map(self._level, contexts)
+        return Chain(first, tuple(level for level in rest if level is not None))
+
+    def _level(self, context: str) -> Level | None:
+        if context not in self._levels:
+            row = self.rows.get(context)
+            level = None if row is None else Level(row, sum(row.values()), self.novelty * len(row))
+            self._levels[context] = level
+        return self._levels[context]

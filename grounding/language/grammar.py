@@ -11,14 +11,15 @@ import hashlib
 import json
 from collections import Counter
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
 from typing import Any
 
 from grounding.errors import ModelError
 from grounding.language.boundaries import Boundaries
-from grounding.language.events import STOP, Child, Head, tree_events
+from grounding.language.events import Child, Head, tree_events
+from grounding.language.tables import Tables
 from grounding.language.tags import TagModel
 from grounding.language.tree import Phrase
 
@@ -35,12 +36,19 @@ class Grammar:
         heads: how often each head was seen.
         children: how often each child was seen.
         boundaries: which words began and ended phrases.
+        counted: the counts by context, where a file has them; see `tables`.
     """
 
     words: TagModel
     heads: Mapping[Head, int]
     children: Mapping[Child, int]
     boundaries: Boundaries
+    counted: Tables | None = field(default=None, compare=False, repr=False)
+
+    @cached_property
+    def tables(self) -> Tables:
+        """The counts by context."""
+        return self.counted or Tables.count(self.heads, self.children)
 
     @classmethod
     def learn(cls, trees: Iterable[Phrase]) -> Grammar:
@@ -117,15 +125,6 @@ class Grammar:
     def phrase_tags(self) -> tuple[str, ...]:
         """The phrase types, in alphabetical order."""
         return tuple(sorted({event.tag for event in self.heads}))
-
-    @cached_property
-    def sides(self) -> Mapping[tuple[str, str], frozenset[str]]:
-        """(phrase tag, side) -> the tags of the children seen there; only sides that have any."""
-        table: dict[tuple[str, str], set[str]] = {}
-        for event in self.children:
-            if event.child_tag != STOP:
-                table.setdefault((event.tag, event.side), set()).add(event.child_tag)
-        return {key: frozenset(tags) for key, tags in table.items()}
 
     @cached_property
     def mothers(self) -> Mapping[str, tuple[str, ...]]:

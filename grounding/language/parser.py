@@ -11,6 +11,7 @@ from typing import Any
 import models
 from grounding.errors import LanguageError
 from grounding.language.cky import FRAGMENT, Beam, Cover, Lexeme, parse_forest
+from grounding.language.compiled import read_grammar
 from grounding.language.events import label_of
 from grounding.language.forest import Node
 from grounding.language.grammar import Grammar
@@ -96,7 +97,7 @@ class Parser:
         Raises:
             ModelError: the file is missing, damaged or of another version.
         """
-        return cls(Grammar.read(path))
+        return cls(read_grammar(path))
 
     def parse(self, text: str, k: int = 4) -> tuple[Parse, ...]:
         """Parse a text.

@@ -9,10 +9,11 @@ from __future__ import annotations
 from math import log
 from typing import NamedTuple
 
+from grounding.language.contexts import State, Symbol, awaits_object
 from grounding.language.events import ROOT, join_label, split_label
 from grounding.language.grammar import Grammar
 from grounding.language.heads import plain_tag
-from grounding.language.probabilities import Probabilities, State, Symbol, awaits_object
+from grounding.language.probabilities import Probabilities
 
 Step = tuple[int, float]
 """A state or symbol by number, and the log probability of getting there."""
@@ -122,7 +123,7 @@ class Rules:
             chance = self._probabilities.head_probability(tag, split_label(head.label)[0], head.tag)
             if chance:
                 state = self._state(State.start(tag, head, is_phrase))
-                steps.append(Start(state, log(chance), (tag, "R") in self.grammar.sides))
+                steps.append(Start(state, log(chance), (tag, "R") in self.grammar.tables.sides))
         return steps
 
     def _find_close(self, state: State) -> Close:
@@ -134,7 +135,7 @@ class Rules:
         if state.side == "L":
             return Close((symbol, log(chance)) if whole else None, None, frozenset())
         after = state._replace(side="L", previous="^" + state.head)
-        wanted = self.grammar.sides.get((state.tag, "L"), frozenset())
+        wanted = self.grammar.tables.sides.get((state.tag, "L"), frozenset())
         final = self._probabilities.stop_probability(after)
         return Close(
             (symbol, log(chance * final)) if whole and final else None,

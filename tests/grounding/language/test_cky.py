@@ -8,10 +8,10 @@ from hypothesis import strategies as st
 from small_treebank import TREES, VOCABULARY
 
 from grounding.language.cky import FRAGMENT, Beam, Cover, Lexeme, parse_forest
+from grounding.language.contexts import Symbol
 from grounding.language.events import label_of
 from grounding.language.forest import Node
 from grounding.language.grammar import Grammar
-from grounding.language.probabilities import Symbol
 from grounding.language.rules import Rules
 from grounding.language.tree import Phrase, Word
 

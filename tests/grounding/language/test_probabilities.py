@@ -1,9 +1,10 @@
 import pytest
 from small_treebank import TREES
 
+from grounding.language.contexts import State, Symbol
 from grounding.language.events import STOP, split_label
 from grounding.language.grammar import Grammar
-from grounding.language.probabilities import Probabilities, State, Symbol
+from grounding.language.probabilities import Probabilities
 
 GRAMMAR = Grammar.learn(TREES)
 MODEL = Probabilities(GRAMMAR)
