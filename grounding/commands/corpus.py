@@ -13,6 +13,7 @@ from typing import Any
 
 import models
 from grounding.commands import SUMMARIES
+from grounding.commands.corpus_scenes import add_scenes, run_scenes
 from grounding.corpus.check import check_corpus
 from grounding.corpus.format import Corpus, worlds_path, write_corpus
 from grounding.corpus.generator import is_held_out, wording_of
@@ -69,12 +70,14 @@ def add_arguments(subparsers: Any) -> None:
     generate.add_argument("--output", type=Path, required=True, metavar="FILE.jsonl",
                           help="worlds go beside it; an interrupted run goes on where it ended")  # fmt: skip
 
+    add_scenes(verbs, _count)
+
 
 def run(args: argparse.Namespace) -> int:
     """Run the verb that was asked for."""
     verbs: dict[str, Callable[[argparse.Namespace], int]] = {
         "show": _show, "check": _check, "worlds": _worlds, "convert": _convert,
-        "annotate": _annotate, "generate": _generate,
+        "annotate": _annotate, "generate": _generate, "scenes": run_scenes,
     }  # fmt: skip
     return verbs[args.verb](args)
 
