@@ -102,30 +102,33 @@ def visible(items: Sequence[WorldObject], camera: Camera, size: tuple[int, int])
     image = Image.new("I", size, 0)
     draw = ImageDraw.Draw(image)
     ordered = back_to_front(items, camera)
-    own: dict[str, int] = {}
-    tops: dict[int, bool] = {}
+    shown = {item.id: faces_of(item, camera) for item in ordered}
     for number, item in enumerate(ordered):
-        alone = Image.new("1", size, 0)
-        lonely = ImageDraw.Draw(alone)
-        for side, face in enumerate(faces_of(item, camera)):
-            polygon = [(float(x), float(y)) for x, y in face.pixels]
-            code = 1 + number * len(_FACES) + side
-            draw.polygon(polygon, fill=code)
-            lonely.polygon(polygon, fill=1)
-            tops[code] = face.top
-        own[item.id] = int(np.asarray(alone).sum())
+        for side, face in enumerate(shown[item.id]):
+            draw.polygon(_points(face.pixels), fill=1 + number * len(_FACES) + side)
     codes = np.asarray(image)
-    return {item.id: _visible(codes, tops, number, own[item.id]) for number, item in enumerate(ordered)}
+    return {item.id: _visible(codes, shown[item.id], number) for number, item in enumerate(ordered)}
 
 
-def _visible(codes: np.ndarray, tops: dict[int, bool], number: int, own: int) -> Visible:
-    first = 1 + number * len(_FACES)
+def _visible(codes: np.ndarray, faces: Sequence[Face], number: int) -> Visible:
+    """What is seen of a box, from the picture in which every pixel says whose face it shows."""
+    pixels = np.concatenate([face.pixels for face in faces])
+    left, top = np.maximum(np.floor(pixels.min(axis=0)).astype(int) - 2, 0)
+    right, bottom = np.ceil(pixels.max(axis=0)).astype(int) + 3
+    part = codes[top:bottom, left:right]
+    alone = Image.new("1", (int(right - left), int(bottom - top)), 0)
+    draw = ImageDraw.Draw(alone)
     total, best, spot, width = 0, 0.0, np.zeros(2), 0.0
-    for code in range(first, first + len(_FACES)):
-        rows, columns = np.nonzero(codes == code)
+    for side, face in enumerate(faces):
+        draw.polygon(_points(face.pixels - (left, top)), fill=1)
+        rows, columns = np.nonzero(part == 1 + number * len(_FACES) + side)
         total += len(rows)
-        weight = len(rows) * (TOP_PREFERRED if tops.get(code) else 1.0)
+        weight = len(rows) * (TOP_PREFERRED if face.top else 1.0)
         if weight > best:
-            best, spot = weight, np.array([np.median(columns), np.median(rows)])
+            best, spot = weight, np.array([np.median(columns) + left, np.median(rows) + top])
             width = float(np.ptp(columns)) + 1
-    return Visible(total / max(own, 1), spot, width)
+    return Visible(total / max(int(np.asarray(alone).sum()), 1), spot, width)
+
+
+def _points(pixels: Array) -> list[tuple[float, float]]:
+    return [(float(x), float(y)) for x, y in pixels]

@@ -21,7 +21,8 @@ SIZE = (1200, 700)
 """Width and height in pixels."""
 
 _MARGINS = (24.0, 84.0, 1176.0, 640.0)  # left, top, right, bottom of what is drawn in perspective
-_GHOST = 118  # opacity of a block that is to be there, of 255
+_GHOST = 205  # opacity of a block that is to be there, of 255
+_PALE = 0.55  # how far its colour fades
 _ARROW = 64.0  # length in pixels
 _TURNS = (0.0, 0.5, -0.5, 0.95, -0.95)  # of the arrow from straight down, in [rad]
 _NUMBER = 15.0  # size of the largest numbers
@@ -72,8 +73,8 @@ def draw_seen(world: World, marks: Marks | None = None, numbered: bool = False) 
         draw_robot(canvas, camera)
     ghost = None
     if marks is not None and marks.destination is not None:
-        ghost = world[marks.target].moved(marks.destination, (1.0, 0.0, 0.0, 0.0))
-    items = [*world.things] if ghost is None else [*world.things, _named(ghost, "")]
+        ghost = _ghost(world, world[marks.target], marks.destination)
+    items = [*world.things] if ghost is None else [*world.things, ghost]
     for item in back_to_front(items, camera):
         if item.id:
             _draw_block(canvas, camera, item)
@@ -88,8 +89,13 @@ def draw_seen(world: World, marks: Marks | None = None, numbered: bool = False) 
     return canvas.finished()
 
 
-def _named(item: WorldObject, name: str) -> WorldObject:
-    return WorldObject(name, item.type, item.color, item.position, item.orientation, item.size)
+def _ghost(world: World, item: WorldObject, place: tuple[float, float, float]) -> WorldObject:
+    """The block where it shall be, turned as what it stands on, with no id."""
+    under = (other for other in world.things if np.allclose(other.position[:2], place[:2], atol=1e-3))
+    below = [other for other in under if other.position[2] < place[2]]
+    turn = max(below, key=lambda other: float(other.position[2])).orientation if below else (1.0, 0.0, 0.0, 0.0)
+    there = item.moved(place, turn)
+    return WorldObject("", item.type, item.color, there.position, there.orientation, item.size)
 
 
 def _draw_table(canvas: Canvas, camera: Camera, world: World) -> None:
@@ -112,7 +118,7 @@ def _draw_block(canvas: Canvas, camera: Camera, item: WorldObject) -> None:
 def _draw_ghost(canvas: Canvas, camera: Camera, item: WorldObject) -> None:
     color = color_of(item.color)
     for face in faces_of(item, camera):
-        canvas.polygon(face.pixels, fill=(*face.shade(color), _GHOST))
+        canvas.polygon(face.pixels, fill=(*mixed(face.shade(color), PAPER, _PALE), _GHOST))
         canvas.dashed(np.concatenate([face.pixels, face.pixels[:1]]), INK, 1.5, 4, 3)
 
 

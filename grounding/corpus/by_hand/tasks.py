@@ -51,7 +51,8 @@ class Task:
         """What is asked for, in the words of a picture's title."""
         if self.opening is None:
             return "The robot shall pick up the block under the arrow."
-        return "The robot shall take the block under the arrow and put it where the pale dashed block is drawn."
+        on_top = "on top of a block, " if self.opening.kind == "top" else ""
+        return f"The robot shall take the block under the arrow and put it {on_top}where the pale one is drawn."
 
     def to_json(self) -> dict[str, Any]:
         """The task as the plain values of a line."""
