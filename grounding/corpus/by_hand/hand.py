@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from grounding.corpus.by_hand.room import EDGE, LEAST, gap
+from grounding.corpus.by_hand.room import EDGE, gap
 from grounding.corpus.tabletop import TABLE_TOP, Looks, Tabletop, heap, line, ring
 from grounding.world import Array, WorldObject
 
@@ -172,6 +172,3 @@ class Hand:
 
 def _inside(place: Array) -> bool:
     return REACH_X[0] <= place[0] <= REACH_X[1] and REACH_Y[0] <= place[1] <= REACH_Y[1]
-
-
-__all__ = ["LEAST", "REACH_X", "REACH_Y", "Hand", "Opening"]
