@@ -37,6 +37,22 @@ class CorpusError(GroundingError):
     """A corpus file that is refused; names the file and the element."""
 
 
+class HandsError(CorpusError):
+    """A line of a corpus of texts that is refused.
+
+    Attributes:
+        file: its name.
+        line: number of the line, from 1.
+        key: that is wrong, with a dot before a key within `gold`; None where the line is no JSON.
+        right: what would be right.
+    """
+
+    def __init__(self, file: str, line: int, key: str | None, problem: str, right: str) -> None:
+        self.file, self.line, self.key, self.right = file, line, key, right
+        what = problem if key is None else f"{key!r} {problem}"
+        super().__init__(f"{file}: line {line}: {what}; right would be: {right}")
+
+
 class ModelError(GroundingError):
     """Weights or a grammar on disk that are missing, damaged or of another version."""
 

@@ -1,4 +1,4 @@
-"""Data that ships with the project: scenes, treebank, grammar and weights, the recipe of the robot. No behaviour."""
+"""Data that ships with the project: scenes, treebank, texts, grammar and weights, the robot's recipe. No behaviour."""
 
 from pathlib import Path
 
@@ -8,3 +8,4 @@ BAXTER_RECIPE = ROOT / "baxter" / "recipe.json"
 GRAMMAR = ROOT / "grammar.json"
 WEIGHTS = ROOT / "weights"  # .npz and .json
 TREEBANK = ROOT / "treebank"
+HANDS = ROOT / "hands"

@@ -13,7 +13,9 @@ from typing import Any
 
 import models
 from grounding.commands import SUMMARIES
-from grounding.corpus.check import check_corpus
+from grounding.commands.corpus_hands import check_texts, holds_texts, list_worlds, show_texts
+from grounding.commands.corpus_scenes import add_scenes, run_scenes
+from grounding.corpus.check import Finding, check_corpus
 from grounding.corpus.format import Corpus, worlds_path, write_corpus
 from grounding.corpus.generator import is_held_out, wording_of
 from grounding.corpus.loading import load_corpus
@@ -26,7 +28,7 @@ from grounding.experiments.progress import Progress
 from grounding.world import save_world
 
 FOUND = 1  # exit code of a check that found something
-_PATH = "a .jsonl file or a folder of example_*.xml (default: the treebank that ships with the project)"
+_PATH = "a .jsonl file or a folder of example_*.xml or hands.jsonl (default: the treebank that ships with the project)"
 
 
 def add_arguments(subparsers: Any) -> None:
@@ -69,12 +71,14 @@ def add_arguments(subparsers: Any) -> None:
     generate.add_argument("--output", type=Path, required=True, metavar="FILE.jsonl",
                           help="worlds go beside it; an interrupted run goes on where it ended")  # fmt: skip
 
+    add_scenes(verbs, _count)
+
 
 def run(args: argparse.Namespace) -> int:
     """Run the verb that was asked for."""
     verbs: dict[str, Callable[[argparse.Namespace], int]] = {
         "show": _show, "check": _check, "worlds": _worlds, "convert": _convert,
-        "annotate": _annotate, "generate": _generate,
+        "annotate": _annotate, "generate": _generate, "scenes": run_scenes,
     }  # fmt: skip
     return verbs[args.verb](args)
 
@@ -129,6 +133,8 @@ def _metres(text: str) -> float:
 
 
 def _show(args: argparse.Namespace) -> int:
+    if holds_texts(args.path):
+        return show_texts(args.path, args.id, args.limit)
     corpus = load_corpus(args.path)
     examples = [corpus[args.id]] if args.id is not None else corpus.examples[: args.limit]
     paint = Paint.for_stream(sys.stdout)
@@ -139,14 +145,11 @@ def _show(args: argparse.Namespace) -> int:
 
 def _check(args: argparse.Namespace) -> int:
     try:
-        corpus = load_corpus(args.path, args.keep_going)
+        summary, findings = (check_texts if holds_texts(args.path) else _examples)(args.path, args.keep_going)
     except CorpusErrors as error:
         if args.json:
             print(json.dumps({"refused": [str(problem) for problem in error.problems], "findings": []}, indent=1))
         raise
-    findings = check_corpus(corpus)
-    phrases = sum(len(example.groundings) for example in corpus)
-    summary = {"examples": len(corpus), "worlds": len(corpus.worlds), "phrases": phrases}
     if args.json:
         plain = [finding.to_json() for finding in findings]
         print(json.dumps({**summary, "refused": [], "findings": plain}, indent=1))
@@ -158,7 +161,15 @@ def _check(args: argparse.Namespace) -> int:
     return FOUND if findings else 0
 
 
+def _examples(path: Path, keep_going: bool) -> tuple[dict[str, int], tuple[Finding, ...]]:
+    corpus = load_corpus(path, keep_going)
+    phrases = sum(len(example.groundings) for example in corpus)
+    return {"examples": len(corpus), "worlds": len(corpus.worlds), "phrases": phrases}, check_corpus(corpus)
+
+
 def _worlds(args: argparse.Namespace) -> int:
+    if holds_texts(args.path):
+        return list_worlds(args.path)
     corpus = load_corpus(args.path)
     used = Counter(example.world for example in corpus)
     for name, world in corpus.worlds.items():

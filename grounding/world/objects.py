@@ -20,6 +20,7 @@ from grounding.errors import WorldError
 
 Array = NDArray[np.float64]
 
+SCHEMA = 1  # of files of worlds that name theirs
 _KEYS = ("id", "type", "color", "position", "orientation", "size")
 _UNIT_TOLERANCE = 1e-3  # on the quaternion's norm: files are written with few digits
 _HUGE = 1e9  # no coordinate reaches this
@@ -226,6 +227,8 @@ def load_world(path: Path | str) -> World:
 def load_worlds(path: Path | str) -> dict[str, World]:
     """Read a file of named worlds: a JSON object from names to worlds, or a single world, then named "".
 
+    A file may name its format: `{"schema": 1, "worlds": {...}}`.
+
     Raises:
         WorldError: see `world_from_json` and `read_json`; the world's name is part of the message.
     """
@@ -234,7 +237,11 @@ def load_worlds(path: Path | str) -> dict[str, World]:
         return {"": world_from_json(data, str(path))}
     if not isinstance(data, dict):
         raise WorldError(f"{path}: a worlds file maps names to worlds, this one is a {type(data).__name__}")
-    return {name: world_from_json(entry, f"{path}: world {name!r}") for name, entry in data.items()}
+    named = data.get("worlds") if "schema" in data else data
+    if named is not data and (data["schema"] != SCHEMA or not isinstance(named, dict)):
+        right = f'{{"schema": {SCHEMA}, "worlds": {{name: world}}}}'
+        raise WorldError(f"{path}: 'schema' is {data['schema']!r}, or there are no 'worlds'; right would be {right}")
+    return {name: world_from_json(entry, f"{path}: world {name!r}") for name, entry in dict(named or {}).items()}
 
 
 def save_world(world: World, path: Path | str) -> None:
