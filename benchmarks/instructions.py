@@ -48,7 +48,7 @@ class Instruction:
 
     @property
     def actions(self) -> Asked:
-        """The actions that are right, as (kind, ids); none where the outcome is not grounded or no actions are listed."""
+        """The actions that are right, as (kind, ids); none where no action is right, or none are listed."""
         return frozenset((kind, tuple(names)) for kind, names in self.gold.get("actions", ()))
 
     @property
@@ -59,7 +59,7 @@ class Instruction:
         return frozenset({(self.gold["object"],)}) if "object" in self.gold else frozenset(o for _, o in self.actions)
 
     def is_answered_by(self, result: Grounding) -> bool:
-        """Whether an answer handles exactly what it should, or has the right outcome where nothing should be handled."""
+        """Whether an answer handles exactly what it should, or has the outcome that is right instead."""
         if self.outcome != "grounded":
             return result.outcome == self.outcome
         return len(result.actions) == len(self.objects) and {a.objects for a in result.actions} == self.objects
@@ -76,7 +76,7 @@ def read_instructions(lines: Path, worlds: Path) -> tuple[tuple[Instruction, ...
 
 
 def write_instructions(instructions: Sequence[Instruction], worlds: Mapping[str, World], path: Path) -> None:
-    """Write a set as `path`, which ends in .jsonl, and the worlds that it needs beside it; the same set, the same bytes."""
+    """Write a set as `path`, which ends in .jsonl, and its worlds beside it; the same set gives the same bytes."""
     path.parent.mkdir(parents=True, exist_ok=True)
     lines = [
         {"id": i.id, "world": i.world, "instruction": i.text, "history": list(i.history), "gold": dict(i.gold)}
