@@ -1,7 +1,7 @@
 """Weights that learning did not choose, as controls for those that it did.
 
 Equal: every weight keeps its sign and gets the mean absolute weight of its factor (unit weights, Dawes 1979). A feature
-is a fact of the context together with a role of the symbol; by itself it speaks neither for nor against, and without the
+is a fact of the context together with a role of the symbol. By itself it speaks neither for nor against: without the
 learned signs every proposed symbol would be true. So equal weights still know the learned directions, not the sizes.
 
 Shuffled: the factors are trained as ever, but within each factor the answers are permuted among all its rows (a row is
@@ -22,7 +22,7 @@ import models
 from grounding.commands.train import PENALTY
 from grounding.corpus.format import Corpus
 from grounding.corpus.generator import is_held_out
-from grounding.corpus.loading import TREEBANK, load_corpus
+from grounding.corpus.loading import load_corpus
 from grounding.corpus.making import make_corpus
 from grounding.factors import Factor, FactorModel, TrainingSet, load_model, save_model, train
 from grounding.features.discretiser import strictness
@@ -101,8 +101,9 @@ def _examples(generated: int) -> list[Annotated]:
 def _digest(generated: int) -> str:
     """What the shuffled weights depend on: the treebank, and the code that turns it into weights."""
     root = Path(grounding.__file__).parent
-    files = [*(path for name in _TRAINING for path in (root / name).rglob("*.py")), *models.TREEBANK.glob("*"),
-             TREEBANK, root / "symbols.py", root / "world.py"]  # fmt: skip
+    code = [path for name in _TRAINING for path in (root / name).rglob("*.py")]
+    learned = [path for path in models.TREEBANK.rglob("*") if path.is_file()]
+    files = [*code, *learned, root / "symbols.py", root / "world.py"]
     digest = hashlib.sha256(f"{VERSION} {generated} {SEED} {PENALTY}".encode())
     for path in sorted(files):
         digest.update(path.read_bytes())
