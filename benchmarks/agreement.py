@@ -53,10 +53,10 @@ def agreement(concept: Concept, worlds: Iterable[Seen]) -> dict[str, Any]:
             held.update({part: len(told) for part, told in found.items() if told is not None})
             silent.update(part for part, told in found.items() if told is None)
             for pair in combinations(parts, 2):
-                first, second = (found[part] for part in pair)
-                if first is not None and second is not None:
-                    both[pair] += len(first & second)
-                    either[pair] += len(first | second)
+                one, other = (found[part] for part in pair)
+                if one is not None and other is not None:
+                    both[pair] += len(one & other)
+                    either[pair] += len(one | other)
     shares = {pair: round(both[pair] / either[pair], 3) if either[pair] else None for pair in combinations(parts, 2)}
     matrix: dict[str, dict[str, float | None]] = {part: {} for part in parts}
     for (first, second), share in shares.items():
