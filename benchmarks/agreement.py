@@ -1,12 +1,12 @@
 """How often two definitions of a concept agree, by intersection over union.
 
-    python benchmarks/agreement.py [--json] [--worlds N] [--seed S] [--concepts NAME ...]
+    python benchmarks/agreement.py [--json] [--worlds N] [--seed S] [--threshold T] [--concepts ...]
 
 Every definition in `benchmarks/concepts.py` is asked in N composed worlds and in the scenes that ship. Of all that one
 of two definitions holds of (ordered pairs of things, things between two others, single things, sets of them), the share
 that both hold of is their agreement. What either leaves open is not compared. Graded definitions hold of what they give
-more than one half. In the JSON, "held" counts what each definition holds of, and "open" is the share of references that
-it leaves open.
+more than T, one half by default. In the JSON, "held" counts what each definition holds of, and "open" is the share of
+references that it leaves open.
 """
 
 from __future__ import annotations
@@ -19,19 +19,19 @@ from itertools import combinations
 from typing import Any
 
 import numpy as np
-from concepts import CONCEPTS, PARTS, Concept, Seen
+from concepts import CONCEPTS, HOLDS, PARTS, Concept, Seen
 
 import models
 from grounding.corpus.compositions import compose_world, recognise
 from grounding.world import load_world
 
 
-def worlds_of(count: int, seed: int) -> Iterator[Seen]:
-    """So many composed worlds, then the scenes that ship."""
+def worlds_of(count: int, seed: int, threshold: float = HOLDS) -> Iterator[Seen]:
+    """So many composed worlds, then the scenes that ship; graded definitions hold above the threshold."""
     for number in range(count):
-        yield Seen(compose_world(np.random.default_rng([seed, number]), f"w{number}"))
+        yield Seen(compose_world(np.random.default_rng([seed, number]), f"w{number}"), threshold)
     for path in sorted(models.SCENES.glob("*.json")):
-        yield Seen(recognise(path.stem, load_world(path)))
+        yield Seen(recognise(path.stem, load_world(path)), threshold)
 
 
 def agreement(concept: Concept, worlds: Iterable[Seen]) -> dict[str, Any]:
@@ -71,13 +71,15 @@ def main() -> None:
     parser.add_argument("--json", action="store_true", help="print JSON instead of a table")
     parser.add_argument("--worlds", type=int, default=100, metavar="N", help="composed worlds, beside the scenes")
     parser.add_argument("--seed", type=int, default=0)
+    parser.add_argument("--threshold", type=float, default=HOLDS, metavar="T",
+                        help="graded definitions hold of what they give more")  # fmt: skip
     parser.add_argument("--concepts", nargs="+", choices=list(CONCEPTS), metavar="NAME", default=list(CONCEPTS),
                         help="only these: " + ", ".join(CONCEPTS))  # fmt: skip
     args = parser.parse_args()
-    worlds = list(worlds_of(args.worlds, args.seed))
+    worlds = list(worlds_of(args.worlds, args.seed, args.threshold))
     found = {name: agreement(CONCEPTS[name], worlds) for name in args.concepts}
     if args.json:
-        print(json.dumps({"worlds": len(worlds), "seed": args.seed, "concepts": found}))
+        print(json.dumps({"worlds": len(worlds), "seed": args.seed, "threshold": args.threshold, "concepts": found}))
     else:
         print("\n".join(table(found)))
 

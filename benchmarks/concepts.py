@@ -23,7 +23,7 @@ from grounding.corpus.prepositions import Prepositions
 from grounding.corpus.selector import Selector
 from grounding.corpus.treebank import LaidWorld
 from grounding.geometry.layout import Layout
-from grounding.geometry.masks import indices_of
+from grounding.geometry.masks import indices_of, mask_of
 from grounding.graded import sets
 from grounding.graded.enclosure import between_two
 from grounding.graded.modifiers.by_reference import BESIDE, TOUCHING
@@ -42,7 +42,7 @@ from grounding.literal.values import Meant, Missing, Unread
 from grounding.symbols import Region
 from grounding.world import Array
 
-HOLDS = 0.5  # a graded definition holds of what it gives more
+HOLDS = 0.5  # a graded definition holds of what it gives more, if no other threshold is asked for
 OPEN = (Unread, NotAnnotatable)  # raised by a definition that leaves open what it holds of
 PARTS = ("gamma", "graded", "literal", "annotator")
 """The parts of the program that define concepts: the regions and shapes of Γ, which the factors' features use; the
@@ -57,10 +57,16 @@ Definition = Callable[["Seen", Any], Held]
 
 
 class Seen:
-    """One world, as every part of the program looks at it."""
+    """One world, as every part of the program looks at it.
 
-    def __init__(self, laid: LaidWorld) -> None:
+    Args:
+        laid: the world.
+        threshold: a graded definition holds of what it gives more.
+    """
+
+    def __init__(self, laid: LaidWorld, threshold: float = HOLDS) -> None:
         self.laid = laid
+        self.threshold = threshold
         self.layout: Layout = laid.layout
         self.scene = Scene(laid.layout)
         self.everything = laid.layout.everything
@@ -105,8 +111,8 @@ def _bits(mask: int) -> Held:
     return frozenset(indices_of(mask))
 
 
-def _above(weights: Array) -> Held:
-    return frozenset(np.flatnonzero(weights > HOLDS).tolist())
+def _above(seen: Seen, weights: Array) -> Held:
+    return frozenset(np.flatnonzero(weights > seen.threshold).tolist())
 
 
 def _once(seen: Seen) -> Iterable[Hashable]:
@@ -154,15 +160,15 @@ def _annotated(relation: str, seen: Seen, reference: int | tuple[int, int]) -> H
 
 
 def _beside(reach: float, seen: Seen, reference: int) -> Held:
-    return _above(near(seen.scene, Value("objects", seen.only(reference)), reach))
+    return _above(seen, near(seen.scene, Value("objects", seen.only(reference)), reach))
 
 
 def _directed(name: str, seen: Seen, reference: int) -> Held:
-    return _above(directed(seen.scene, Value("objects", seen.only(reference)), (name,), ROBOT, False))
+    return _above(seen, directed(seen.scene, Value("objects", seen.only(reference)), (name,), ROBOT, False))
 
 
 def _between(seen: Seen, reference: tuple[int, int]) -> Held:
-    return _above(between_two(seen.scene, *(seen.only(i) for i in reference)))
+    return _above(seen, between_two(seen.scene, *(seen.only(i) for i in reference)))
 
 
 def _relation(name: str, graded: Definition, gamma: str | None = None) -> Concept:
@@ -180,7 +186,7 @@ def _noun(noun: Noun, seen: Seen, reference: object) -> Held:
 
 
 def _chosen(noun: Noun, seen: Seen, reference: object) -> Held:
-    return _above(choose(seen.scene, ROBOT, noun, seen.all, [], (), chosen=False, in_stack=False))
+    return _above(seen, choose(seen.scene, ROBOT, noun, seen.all, [], (), chosen=False, in_stack=False))
 
 
 def _extreme(name: str) -> Concept:
@@ -201,7 +207,7 @@ def _corner_noun(seen: Seen, names: tuple[str, str]) -> Held:
 
 def _placed(corner: bool, seen: Seen, names: str | tuple[str, ...]) -> Held:
     place = make_place(seen.scene, (names,) if isinstance(names, str) else names, ROBOT, corner=corner)
-    return _above(in_place(seen.scene, place, seen.all))
+    return _above(seen, in_place(seen.scene, place, seen.all))
 
 
 # -- arrangements -----------------------------------------------------------------------------------------------------
@@ -209,7 +215,7 @@ def _placed(corner: bool, seen: Seen, names: str | tuple[str, ...]) -> Held:
 
 def _arranged(kind: str, seen: Seen, reference: object) -> Held:
     found = sets.arranged(seen.scene, (kind,), seen.all > 0, None)
-    return frozenset(sum(1 << int(i) for i in np.flatnonzero(mask)) for mask, weight in found if weight > HOLDS)
+    return frozenset(mask_of(np.flatnonzero(mask)) for mask, weight in found if weight > seen.threshold)
 
 
 def _read_arrangement(kind: str, seen: Seen, reference: object) -> Held:
@@ -246,7 +252,7 @@ CONCEPTS: Mapping[str, Concept] = {
     "circle": _arrangement("circle"),
     "tower": _arrangement("tower"),
     "alone": Concept(_once, {
-        "graded": lambda seen, _: _above(lone(seen.scene, seen.all)),
+        "graded": lambda seen, _: _above(seen, lone(seen.scene, seen.all)),
         "literal": lambda seen, _: _bits(choosing.alone(seen.scene, seen.everything)),
         "annotator": lambda seen, _: _bits(seen.selector.alone(_PHRASE, seen.everything)),
     }),
