@@ -1,10 +1,12 @@
-"""How well generated instructions whose wordings were kept from training are understood, as JSON.
+"""How well the project's own wordings that were kept from training are understood, as JSON.
 
-    python benchmarks/held_out.py [--count 4000] [--seed 100] [--weights FILE] [--grammar FILE] [--wrong N]
+    python benchmarks/held_out.py [--set FILE | --count N --seed N] [--freeze FILE] [--wrong N]
 
-Examples are generated in composed worlds with a seed that training does not use; those whose wording (without colours,
-numbers, sides) is held out are grounded from their text. Root: the same actions on the same objects. Calibration:
-expected calibration error of the answers, ten bins.
+The texts are those of `benchmarks/sets/held_out.jsonl`, which stay the same whatever becomes of the generator. With
+`--count` and `--seed` others are drawn: examples are generated in composed worlds with a seed that training does not
+use, and those whose wording (without colours, numbers, sides) is held out are kept. `--freeze` writes what was drawn
+instead of grounding it. Root: the same actions on the same objects. Calibration: expected calibration error of the
+answers, ten bins.
 """
 
 from __future__ import annotations
@@ -16,60 +18,72 @@ import sys
 from collections import Counter
 from pathlib import Path
 
+from instructions import Instruction, instruction_of, read_instructions, write_instructions
+
 import models
-from grounding.corpus.format import Example
 from grounding.corpus.generator import is_held_out
 from grounding.corpus.making import make_corpus
 from grounding.grounder import Grounder
-from grounding.readings import pick_of
 from grounding.result import Grounding
-from grounding.symbols import Action
 from grounding.world import World
+
+FROZEN = Path(__file__).parent / "sets" / "held_out.jsonl"
+COUNT, SEED = 1500, 101  # that the frozen set was drawn with
 
 
 def main() -> None:
-    """Generate, ground, compare."""
+    """Read or draw, ground, compare."""
     parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
-    parser.add_argument("--count", type=int, default=4000, help="generated examples; a tenth is held out")
-    parser.add_argument("--seed", type=int, default=100)
+    parser.add_argument("--set", type=Path, default=FROZEN, metavar="FILE", help="instructions, their worlds beside it")
+    parser.add_argument("--count", type=int, help="draw anew from so many generated examples; a tenth is held out")
+    parser.add_argument("--seed", type=int, help="draw anew with this seed")
+    parser.add_argument("--freeze", type=Path, metavar="FILE", help="write what is drawn to FILE and ground nothing")
     parser.add_argument("--grammar", type=Path, default=models.GRAMMAR)
     parser.add_argument("--weights", type=Path, default=models.WEIGHTS)
     parser.add_argument("--wrong", type=int, default=0, metavar="N", help="show N that are wrong on standard error")
     args = parser.parse_args()
-    corpus = make_corpus(args.count, args.seed)
+    if args.count is None and args.seed is None and args.freeze is None:
+        kept, worlds = read_instructions(args.set, args.set.with_suffix(".worlds.json"))
+    else:
+        kept, worlds = drawn(COUNT if args.count is None else args.count, SEED if args.seed is None else args.seed)
+    if args.freeze is not None:
+        write_instructions(kept, worlds, args.freeze)
+        print(json.dumps({"examples": len(kept), "output": str(args.freeze)}))
+        return
+    print(json.dumps(measured(kept, worlds, Grounder.load(args.grammar, args.weights), args.wrong)))
+
+
+def drawn(count: int, seed: int) -> tuple[tuple[Instruction, ...], dict[str, World]]:
+    """The instructions with held-out wordings among so many that are generated."""
+    corpus = make_corpus(count, seed)
     kept = [example for example in corpus.examples if is_held_out(example.tree)]
-    grounder = Grounder.load(args.grammar, args.weights)
+    return tuple(instruction_of(e, corpus.worlds[e.world]) for e in kept), dict(corpus.worlds)
+
+
+def measured(
+    kept: tuple[Instruction, ...], worlds: dict[str, World], grounder: Grounder, wrong: int = 0
+) -> dict[str, object]:
+    """The shares of right roots and outcomes, and how far the answers' probabilities are from them."""
     outcomes: Counter[str] = Counter()
     roots, milliseconds, pairs, shown = 0, [], [], 0
-    for example in kept:
-        world = corpus.worlds[example.world]
-        result = grounder.ground(example.instruction, world, getattr(example, "history", ()))
+    for instruction in kept:
+        result = grounder.ground(instruction.text, worlds[instruction.world], instruction.history)
         milliseconds.append(result.milliseconds)
-        outcomes[f"{example.outcome} as {result.outcome}"] += 1
-        right = _asked(example, world, grounder) == {(a.action, a.objects) for a in result.actions}
+        outcomes[f"{instruction.outcome} as {result.outcome}"] += 1
+        right = instruction.actions == {(a.action, a.objects) for a in result.actions}
         roots += right
         if result.actions:
             pairs.append((result.actions[0].probability, right))
-        if (not right or example.outcome != result.outcome) and shown < args.wrong:
+        if (not right or instruction.outcome != result.outcome) and shown < wrong:
             shown += 1
-            _show(example, result)
+            _show(instruction, result)
     total = max(len(kept), 1)
     same = sum(count for name, count in outcomes.items() if name.split(" as ")[0] == name.split(" as ")[1])
-    summary = {
+    return {
         "examples": len(kept), "root": round(roots / total, 4), "outcome": round(same / total, 4),
         "calibration error": _calibration(pairs), "outcomes": dict(sorted(outcomes.items())),
         "milliseconds": round(statistics.median(milliseconds), 2) if milliseconds else None,
     }  # fmt: skip
-    print(json.dumps(summary))
-
-
-def _asked(example: Example, world: World, grounder: Grounder) -> set[tuple[str, tuple[str, ...]]]:
-    """The actions that the annotation asks for; a noun phrase alone asks to pick up what it means."""
-    if example.outcome != "grounded":
-        return set()
-    root = example.groundings[0]
-    asked = {(s.kind, s.objects) for s in root if isinstance(s, Action) and s.objects}
-    return asked or {(a.kind, a.objects) for a in pick_of(root, grounder.layout(world))}
 
 
 def _calibration(pairs: list[tuple[float, bool]]) -> float | None:
@@ -80,10 +94,10 @@ def _calibration(pairs: list[tuple[float, bool]]) -> float | None:
     return round(gaps / len(pairs), 4) if pairs else None
 
 
-def _show(example: Example, result: Grounding) -> None:
+def _show(instruction: Instruction, result: Grounding) -> None:
     found = [(a.action, a.objects, round(a.probability, 2)) for a in (*result.actions, *result.alternatives)][:3]
-    wanted = sorted(str(s) for s in example.groundings[0])
-    print(f"{example.instruction!r} {example.outcome} {wanted[:3]} -> {result.outcome} {found}", file=sys.stderr)
+    wanted = sorted(instruction.actions)[:3]
+    print(f"{instruction.text!r} {instruction.outcome} {wanted} -> {result.outcome} {found}", file=sys.stderr)
 
 
 if __name__ == "__main__":

@@ -15,10 +15,10 @@ import sys
 import time
 from pathlib import Path
 
+from freeze_paper_roots import single_roots
+
 from grounding.corpus.loading import load_corpus
 from grounding.grounder import Grounder
-from grounding.readings import pick_of
-from grounding.symbols import Action
 
 
 def main() -> None:
@@ -29,23 +29,18 @@ def main() -> None:
     args = parser.parse_args()
     corpus, grounder = load_corpus(args.corpus), Grounder.load()
     right, pairs, milliseconds, outcomes, shown = 0, [], [], dict[str, int](), 0
-    for example in corpus.examples:
-        world, root = corpus.worlds[example.world], example.groundings[0]
-        asked = {s.objects for s in root if isinstance(s, Action) and s.objects}
-        asked = asked or {action.objects for action in pick_of(root, grounder.layout(world))}
-        if len(asked) != 1 or len(next(iter(asked))) != 1:
-            continue
+    for instruction in single_roots(corpus):
         start = time.process_time()
-        result = grounder.ground(example.instruction, world)
+        result = grounder.ground(instruction.text, corpus.worlds[instruction.world])
         milliseconds.append(1000 * (time.process_time() - start))
-        hit = {action.objects for action in result.actions} == asked
+        hit = instruction.is_answered_by(result)
         right += hit
         outcomes[result.outcome] = outcomes.get(result.outcome, 0) + 1
         if result.actions:
             pairs.append((result.actions[0].probability, hit))
         if not hit and shown < args.wrong:
             shown += 1
-            print(f"{example.instruction!r} {sorted(asked)} -> {result.outcome}", file=sys.stderr)
+            print(f"{instruction.text!r} {sorted(instruction.objects)} -> {result.outcome}", file=sys.stderr)
     bins: list[list[tuple[float, bool]]] = [[] for _ in range(10)]
     for probability, hit in pairs:
         bins[min(int(probability * 10), 9)].append((probability, hit))

@@ -13,7 +13,7 @@ from grounding.geometry.layout import Layout
 from grounding.graded.belief import GradedBelief
 from grounding.graded.discourse import clauses_of
 from grounding.language.tree import Phrase
-from grounding.literal import LiteralBelief
+from grounding.literal import SILENT, LiteralBelief
 from grounding.missing import unknown_named, unknown_things, whats_missing
 from grounding.phrases import by_answer, by_factors
 from grounding.pooling import Pooled, pool
@@ -37,7 +37,6 @@ LISTED = 0.01  # alternatives less likely than this are not worth naming
 MOST = 5
 
 _ASIDE = frozenset(("aside", "away", "out"))  # "move it out of the way"
-SILENT = LiteralBelief()
 _OFF_TABLE = "so far it would leave the table"
 _OPEN_PLACE = "Where shall I put it?"
 

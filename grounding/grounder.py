@@ -4,24 +4,24 @@ from __future__ import annotations
 
 import time
 from collections import OrderedDict
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
 import models
 from grounding.course import Course
 from grounding.dialogue import action_of, decide, options_of
-from grounding.errors import LanguageError
+from grounding.errors import GroundingError, LanguageError
 from grounding.factors import load_model
 from grounding.forbidding import without_forbidden
 from grounding.geometry.layout import Layout
-from grounding.graded.belief import GradedBelief, believe
+from grounding.graded.belief import NO_BELIEF, GradedBelief, believe
 from grounding.graded.colors import taken_for
 from grounding.inference import Adcg
 from grounding.language.lexicon import meanings
 from grounding.language.parser import Parse, Parser
 from grounding.language.tree import Phrase
-from grounding.literal import LiteralBelief, believe_literally
+from grounding.literal import SILENT, LiteralBelief, believe_literally
 from grounding.pooling import Pooled
 from grounding.readings import Reading, readings
 from grounding.result import GroundedAction, Grounding
@@ -33,6 +33,8 @@ from grounding.unanswered import open_options
 from grounding.world import World
 from grounding.world.scene import Scene
 
+READERS = ("factors", "graded", "literal")
+"""Whose beliefs are pooled into an answer; each can be left out, see `Grounder`."""
 KEPT_SCENES = 16
 LONGEST = 200  # words that an instruction may have
 SENTENCE = 50  # words of a sentence that are parsed as one; longer ones are parsed in pieces
@@ -133,23 +135,41 @@ class Grounder:
         inference: from phrase trees to symbols.
         parses: how many parses of a text are kept and read; the world decides between them.
         inferred: how many of those that agree best with the world are grounded by the factors.
+        without: names of `READERS` that are left out: they believe in nothing, and no other reader hears of them. What
+            is answered then tells what they are worth. The factors still tell what phrases mean.
+
+    Raises:
+        GroundingError: there is no reader of such a name.
     """
 
-    def __init__(self, parser: Parser, inference: Adcg, parses: int = 4, inferred: int = 1) -> None:
+    def __init__(
+        self, parser: Parser, inference: Adcg, parses: int = 4, inferred: int = 1, without: Collection[str] = ()
+    ) -> None:
+        for name in without:
+            if name not in READERS:
+                raise GroundingError(f"no reader is called {name!r}; there are {', '.join(READERS)}")
         self.parser = parser
         self.inference = inference
         self.parses = parses
         self.inferred = inferred
+        self.without = frozenset(without)
         self._scenes: OrderedDict[int, tuple[World, Scene]] = OrderedDict()
 
     @classmethod
-    def load(cls, grammar: Path = models.GRAMMAR, weights: Path = models.WEIGHTS) -> Grounder:
+    def load(
+        cls, grammar: Path = models.GRAMMAR, weights: Path = models.WEIGHTS, without: Collection[str] = ()
+    ) -> Grounder:
         """Read the shipped grammar and weights, or others.
+
+        Args:
+            grammar: of the parser.
+            weights: of the factors, without ending.
+            without: names of `READERS` that are left out.
 
         Raises:
             ModelError: a file is missing, damaged or of another version.
         """
-        return cls(Parser.load(grammar), Adcg(load_model(weights), beam=1))
+        return cls(Parser.load(grammar), Adcg(load_model(weights), beam=1), without=without)
 
     def ground(self, text: str, world: World, history: Sequence[str] = (), before: World | None = None) -> Grounding:
         """Understand an instruction.
@@ -205,13 +225,16 @@ class Grounder:
         return tuple(replace(p, tree=without_forbidden(p.tree)) for p in self.parser.parse(text, self.parses))
 
     def _read(self, text: str, parses: Step, scene: Scene, history: Sequence[str]) -> Understanding:
-        graded = believe(parses, scene, history)
-        literal = believe_literally(parses, scene, graded, history)
+        graded = NO_BELIEF if "graded" in self.without else believe(parses, scene, history)
+        literal = SILENT if "literal" in self.without else believe_literally(parses, scene, graded, history)
         kept = graded.parses()[: self.inferred] or range(min(len(parses), self.inferred))
         likely = [parses[place] for place in kept]
         memory: dict[object, list] = {}
         inferred = [(self.inference.infer(parse.tree, scene.layout, memory), parse.probability) for parse in likely]
-        return Understanding(text, parses, scene, graded, literal, readings(inferred, scene.layout))
+        found = readings(inferred, scene.layout)
+        if "factors" in self.without:
+            found = tuple(replace(reading, actions=()) for reading in found)
+        return Understanding(text, parses, scene, graded, literal, found)
 
     def layout(self, world: World) -> Layout:
         """The world, measured; the latest ones are kept."""

@@ -117,6 +117,10 @@ class GradedBelief:
         return objects[0] in scene.layout.index and leads_off(pieces, scene.layout.index[objects[0]], reading.reader)
 
 
+NO_BELIEF = GradedBelief((), (), 0.0)
+"""Of whom nothing was read."""
+
+
 def _leads(piece: Phrase) -> bool:
     """Whether a piece of a destination tells more than the verb does."""
     return bool(piece.phrases) or any(words.directions(leaf.text) for leaf in piece.leaves) or piece.tag != "VP"

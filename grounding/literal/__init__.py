@@ -6,7 +6,7 @@ several, or tells what is not there; and it is silent where a word or a construc
 asked for is too close to call.
 """
 
-from grounding.literal.belief import LiteralBelief, believe_literally
+from grounding.literal.belief import SILENT, LiteralBelief, believe_literally
 from grounding.literal.texts import Literal, read_literally
 
-__all__ = ["Literal", "LiteralBelief", "believe_literally", "read_literally"]
+__all__ = ["SILENT", "Literal", "LiteralBelief", "believe_literally", "read_literally"]

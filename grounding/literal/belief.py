@@ -61,6 +61,7 @@ class LiteralBelief:
 
 
 SILENT = LiteralBelief()
+"""Of whom nothing is read literally."""
 
 
 def believe_literally(

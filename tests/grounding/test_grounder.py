@@ -10,7 +10,8 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 import models
-from grounding import Grounder, LanguageError, ModelError, World, load_world, make_object
+from grounding import Grounder, GroundingError, LanguageError, ModelError, World, load_world, make_object
+from grounding.grounder import READERS
 from grounding.language.lexicon import known_words
 from grounding.result import OUTCOMES
 
@@ -371,3 +372,42 @@ def test_a_colour_that_is_taken_for_another_is_told():
     result = Grounder.load().ground("take the purple block on the left", world)
     assert ("purple", "blue") in result.mended
     assert not Grounder.load().ground("take the blue block on the left", world).mended
+
+
+# Readers that are left out
+
+
+def without(*names):
+    return Grounder(grounder().parser, grounder().inference, without=names)
+
+
+@pytest.mark.parametrize("name", READERS)
+def test_a_reader_that_is_left_out_believes_in_nothing(name):
+    understood = without(name).understand("pick up the leftmost block", scene("four"))
+    believes = {
+        "factors": any(reading.actions for reading in understood.readings),
+        "graded": bool(understood.graded.options),
+        "literal": bool(understood.literal.options),
+    }
+    assert {reader for reader, something in believes.items() if not something} == {name}
+
+
+def test_nothing_is_left_out_unless_asked():
+    text = "pick up the farthest red block"
+    assert without().ground(text, scene("four")).actions == grounder().ground(text, scene("four")).actions
+
+
+def test_without_any_reader_nothing_is_answered_where_several_are_possible():
+    result = without(*READERS).ground("pick up the farthest red block", scene("four"))
+    assert not result.actions
+
+
+@pytest.mark.parametrize("name", READERS)
+def test_each_reader_answers_what_is_plain_by_itself(name):
+    only = without(*(other for other in READERS if other != name))
+    assert only.ground("pick up the leftmost block", scene("four")).actions[0].objects == ("b1",)
+
+
+def test_readers_that_are_not_there_cannot_be_left_out():
+    with pytest.raises(GroundingError, match=r"'oracle'.*factors, graded, literal"):
+        without("oracle")

@@ -27,6 +27,10 @@ if TYPE_CHECKING:
 
     ReferenceReading = Callable[[Reader, Heard, Noun, Value], list[Effect] | None]
 
+BESIDE = 0.8
+"""What is so many edges away is next to something to one half."""
+TOUCHING = 0.22
+"""What is so many edges away touches it to one half."""
 _THINGS = ("objects", "sets")
 _NEARLY = frozenset("nearly almost about".split())
 _RAISED = 0.3  # who says "on the table" may mean all that is there
@@ -99,14 +103,14 @@ def _touching(reader: Reader, heard: Heard, noun: Noun, value: Value) -> list[Ef
     if value.kind not in _THINGS or not any(w.is_touching(text) for text in heard.texts):
         return None
     nearly = not _NEARLY.isdisjoint(heard.texts)
-    return [Restriction(near(reader.scene, value, 0.8 if nearly else 0.22))]
+    return [Restriction(near(reader.scene, value, BESIDE if nearly else TOUCHING))]
 
 
 def _beside(reader: Reader, heard: Heard, noun: Noun, value: Value) -> list[Effect] | None:
     """For example "next to the tower"."""
     if value.kind not in _THINGS or not any(w.is_beside(text) for text in heard.texts):
         return None
-    return [Restriction(near(reader.scene, value, 0.8))]
+    return [Restriction(near(reader.scene, value, BESIDE))]
 
 
 def _in_place(reader: Reader, heard: Heard, noun: Noun, value: Value) -> list[Effect] | None:
