@@ -99,10 +99,12 @@ def read(
             goal = _goal(told, evaluator)
             for case in cases:
                 _note(case, parse, parses[0], told, form)
+                case.note(f"target.{_shape(told)}.{told.kind}")
                 _note_within(case, "within", within)
             _note(nothing, parse, parses[0], told, form)
             _note_within(nothing, "nothing.within", within)
             nothing.note("nothing")
+            nothing.note("nothing.words", len(parse.tree.leaves) / 10)
             for name, truth in goal.items():
                 for limit in BINS:
                     if truth < limit:
@@ -131,6 +133,13 @@ def _note_within(case: Case, name: str, within: float) -> None:
     for limit in BINS:
         if within < limit:
             case.note(f"{name}<{limit}")
+
+
+def _shape(told: Told) -> str:
+    """What sort of thing the target is."""
+    target = told.target
+    assert target is not None
+    return "one" if target.sort != SETS else "arrangement" if target.kinds else "several"
 
 
 def _goal(told: Told, evaluator: Evaluator) -> dict[str, float]:
