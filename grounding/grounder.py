@@ -10,7 +10,7 @@ from pathlib import Path
 
 import models
 from grounding.course import Course
-from grounding.dialogue import action_of, decide, options_of
+from grounding.dialogue import action_of, decide
 from grounding.errors import GroundingError, LanguageError
 from grounding.factors import load_model
 from grounding.forbidding import without_forbidden
@@ -22,7 +22,12 @@ from grounding.language.lexicon import meanings
 from grounding.language.parser import Parse, Parser
 from grounding.language.tree import Phrase
 from grounding.literal import SILENT, LiteralBelief, believe_literally
-from grounding.pooling import Pooled
+from grounding.meaning.discourse.told import Told
+from grounding.model.belief import Belief, Option, believe as weigh, read
+from grounding.model.cases import Weights
+from grounding.model.evaluator import Evaluator
+from grounding.model.opinions import Opinion, with_opinions
+from grounding.model.storage import load_weights
 from grounding.readings import Reading, readings
 from grounding.result import GroundedAction, Grounding
 from grounding.returning import returned, returns
@@ -65,6 +70,7 @@ class Understanding:
         graded: what the parses ask for by their graded readings.
         literal: and what they ask for literally.
         readings: by the factors, of the parses that agree best with the world; the likeliest first.
+        belief: what learned weights make of the meanings of the parses and of what the other readers hold of them.
     """
 
     text: str
@@ -73,6 +79,7 @@ class Understanding:
     graded: GradedBelief
     literal: LiteralBelief
     readings: tuple[Reading, ...]
+    belief: Belief
 
     def decided(self, before: World | None = None) -> Grounding:
         """The answer.
@@ -82,7 +89,9 @@ class Understanding:
         """
         tree = self.readings[0].inference.tree
         parse = next((parse for parse in self.parses if parse.tree is tree), self.parses[0])
-        result = decide(self.text, self.readings, self.scene, parse.unknown_words, self.graded, self.literal)
+        result = decide(
+            self.text, self.readings, self.scene, parse.unknown_words, self.graded, self.literal, self.belief
+        )
         if returns(tree):
             result = returned(result, self.scene.layout.world, before)
         if result.outcome == "grounded" and not result.explanation:
@@ -96,16 +105,15 @@ class Understanding:
         others = ((color, taken_for(self.scene, color)) for color in said)
         return [(color, other) for color, other in others if other is not None]
 
-    def options(self) -> tuple[Pooled, ...]:
+    def options(self) -> tuple[Option, ...]:
         """All that may be spoken of, the likeliest first; those that are left open where nothing helped."""
-        graded = self.graded if self.graded.options else None
-        found = options_of(self.readings, graded, self.literal)
+        found = self.belief.listed()
         if found:
             return found
         bare = open_options(self.readings[0].inference.tree, self.scene)
-        return tuple(Pooled(names, 1 / len(bare), ((kind, 1.0),)) for kind, names in bare)
+        return tuple(Option(names, 1 / len(bare), ((kind, 1.0),)) for kind, names in bare)
 
-    def action(self, option: Pooled) -> GroundedAction:
+    def action(self, option: Option) -> GroundedAction:
         """What is to be done where an option is meant."""
         return action_of(option, self.readings, self.scene, self.graded)
 
