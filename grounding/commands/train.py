@@ -9,6 +9,7 @@ import os
 import sys
 import time
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -20,11 +21,11 @@ from grounding.corpus.loading import load_corpus
 from grounding.corpus.making import make_corpus
 from grounding.corpus.treebank import build_variants, read_trees
 from grounding.corpus.wording import sampled_sentences, sentences_of
-from grounding.factors import save_model
+from grounding.factors import load_model, save_model
 from grounding.features import FAMILIES
 from grounding.geometry.layout import Layout
 from grounding.language.grammar import Grammar
-from grounding.learning import learn
+from grounding.learning import learn, learn_first_pass
 from grounding.learning.examples import Annotated, annotated
 
 VARIANTS = 4
@@ -52,6 +53,9 @@ def add_arguments(subparsers: Any) -> None:
     parser.add_argument("--sampled", type=_count, default=SAMPLED, metavar="N",
                         help="the grammar is learned from the trees of N sampled texts as well")  # fmt: skip
     parser.add_argument("--grammar-only", action="store_true", help="learn and write the grammar, leave the weights")
+    parser.add_argument("--first-pass-only", action="store_true",
+                        help="learn the first pass of hierarchical inference and add it to the weights that are "
+                        "there, which stay as they are")  # fmt: skip
     parser.add_argument("--penalty", type=_strength, default=PENALTY, help="strength of the L2 regularisation")
 
 
@@ -63,6 +67,8 @@ def run(args: argparse.Namespace) -> int:
         _say(f"{args.generated} examples are generated")
         corpora.append(make_corpus(args.generated, args.seed))
     corpora = [_learnable(corpus, args.hold_out) for corpus in corpora]
+    if args.first_pass_only:
+        return _add_first_pass(_all_examples(corpora, args), args.output, start)
     spoken = (sentence for corpus in corpora for e in corpus.examples for sentence in sentences_of(e.tree))
     trees = {str(tree): tree for tree in (*read_trees(args.trees), *spoken)}
     args.output.mkdir(parents=True, exist_ok=True)
@@ -72,16 +78,33 @@ def run(args: argparse.Namespace) -> int:
     if args.grammar_only:
         _write_grammar(grammar, args.output)
         return _finish({"trees": len(trees), "sampled": args.sampled}, start, args.output)
-    examples = [example for corpus in corpora for example in _examples(corpus)]
-    if args.variants:
-        _say(f"{args.variants} variants of each tree, annotated")
-        examples += _examples(build_variants(read_trees(args.trees), models.SCENES, args.variants))
+    examples = _all_examples(corpora, args)
     _say(f"factors from {len(examples)} examples")
     model = learn(examples, args.penalty, _progress(), {"examples": len(examples), "corpus": _fingerprint(corpora)})
     _write_grammar(grammar, args.output)
     save_model(model, args.output / models.WEIGHTS.name)
     counts = {"trees": len(trees), "sampled": args.sampled, "examples": len(examples), "features": model.feature_count}
     return _finish(counts, start, args.output)
+
+
+def _all_examples(corpora: Sequence[Corpus], args: argparse.Namespace) -> list[Annotated]:
+    """The examples of corpora, and variants of the trees."""
+    examples = [example for corpus in corpora for example in _examples(corpus)]
+    if args.variants:
+        _say(f"{args.variants} variants of each tree, annotated")
+        examples += _examples(build_variants(read_trees(args.trees), models.SCENES, args.variants))
+    return examples
+
+
+def _add_first_pass(examples: Sequence[Annotated], folder: Path, start: float) -> int:
+    """Learn a first pass and write it beside the factors that are there."""
+    path = folder / models.WEIGHTS.name
+    model = load_model(path)
+    _say(f"first pass from {len(examples)} examples")
+    first_pass = learn_first_pass(examples)
+    save_model(replace(model, first_pass=first_pass), path)
+    counts = {"examples": len(examples), "features of the first pass": first_pass.factor.feature_count}
+    return _finish(counts, start, folder)
 
 
 def _write_grammar(grammar: Grammar, folder: Path) -> None:

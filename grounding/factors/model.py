@@ -8,10 +8,14 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from grounding.world import Array
+
+if TYPE_CHECKING:
+    from grounding.factors.first_pass import FirstPass
 
 
 @dataclass(frozen=True, eq=False)
@@ -83,10 +87,13 @@ class FactorModel:
     Attributes:
         factors: by the families' names.
         notes: plain values on how it came about.
+        first_pass: what tells the kinds of symbols that a phrase needs, for hierarchical inference; None where it was
+            not trained.
     """
 
     factors: Mapping[str, Factor]
     notes: Mapping[str, object]
+    first_pass: FirstPass | None = None
 
     @property
     def feature_count(self) -> int:

@@ -68,7 +68,8 @@ class G3:
             if key not in known:
                 found = list(self.values(Scope(phrase, children, layout), tally))
                 known[key] = sorted(found, key=lambda h: -h.log_probability)[: self.beam]
-            return known[key]
+            best: list[Hypothesis] = known[key]
+            return best
 
         return tally.inference(tree, ground(tree, local, self.beam, self.least))
 
