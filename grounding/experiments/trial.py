@@ -91,7 +91,8 @@ def run_trial(corpus: Corpus, split: Split, settings: Settings, variants: Varian
             gold = _annotated(example, layouts)
             used = parser if parse == "own" else None
             row = {"id": example.id, "parse": parse, "inference": name, "blocks": layout.size, **seen(example)}
-            rows.append({**row, **_tested(example.instruction, gold, engine, used, settings), **_kept(engine, gold)})
+            tested = _tested(example.instruction, gold, engine, used, settings)
+            rows.append({**row, **tested, **_kept(engine, gold)})
     return {"split": split.name, "by": split.by, "holdout": split.holdout, "number": split.number,
             "training": training, "rows": rows}  # fmt: skip
 
@@ -120,10 +121,10 @@ def _tested(text: str, gold: Annotated, engine: Engine, parser: Parser | None, s
 
 def _kept(engine: Engine, gold: Annotated) -> dict[str, int]:
     """How many of the kinds of symbols that the phrases of an example need a first pass keeps, if there is one."""
-    first_pass = getattr(engine, "first_pass", None)
-    if first_pass is None:
+    restriction = getattr(engine, "restriction", None)
+    if restriction is None:
         return {}
-    kept, needed = count_kept(first_pass, gold)
+    kept, needed = count_kept(restriction, gold)
     return {"kinds kept": kept, "kinds needed": needed}
 
 

@@ -17,7 +17,7 @@ from grounding.features import STAGES, Scope
 from grounding.features.context import context_facts
 from grounding.geometry.layout import Layout
 from grounding.inference.engine import Children, Kept, Memory, Tally, context_key, families, ground, sigmoid
-from grounding.inference.first_pass import kept_families
+from grounding.inference.first_pass import Restriction
 from grounding.inference.hypotheses import Hypothesis, Inference, best_sets
 from grounding.language.tree import Phrase
 from grounding.symbols import Symbol
@@ -49,6 +49,7 @@ class Adcg:
     ) -> None:
         self.model = model
         self.first_pass = first_pass
+        self.restriction = None if first_pass is None else Restriction(first_pass)
         self.threshold = threshold
         self.beam = beam
         self.least = math.log(least)
@@ -76,7 +77,7 @@ class Adcg:
             memory: phrases grounded before in this world, shared between the parses of one sentence.
         """
         tally = Tally()
-        kept = kept_families(self.first_pass, tree, layout, tally, memory)
+        kept = None if self.restriction is None else self.restriction.kept(tree, layout, tally)
         run = _Run(self, layout, {} if memory is None else memory, kept, tally)
         return run.tally.inference(tree, ground(tree, run.local, self.beam, self.least))
 
@@ -94,7 +95,7 @@ class _Run:
     def local(self, phrase: Phrase, children: Children) -> list[Hypothesis]:
         """The likeliest groundings of one phrase, given those of its children."""
         key = context_key(phrase, children)
-        known: list[Hypothesis] | None = self.memory.get(key)
+        known = self.memory.get(key)
         if known is not None:
             return known
         scope = Scope(phrase, children, self.layout)

@@ -20,7 +20,7 @@ from grounding.features.context import context_facts
 from grounding.features.exhaustive import every
 from grounding.geometry.layout import Layout
 from grounding.inference.engine import Children, Kept, Memory, Tally, context_key, families, ground, sigmoid
-from grounding.inference.first_pass import kept_families
+from grounding.inference.first_pass import Restriction
 from grounding.inference.hypotheses import Hypothesis, Inference, best_sets
 from grounding.language.tree import Phrase
 from grounding.symbols import Symbol
@@ -47,6 +47,7 @@ class Dcg:
     ) -> None:
         self.model = model
         self.first_pass = first_pass
+        self.restriction = None if first_pass is None else Restriction(first_pass)
         self.beam = beam
         self.least = math.log(least)
         self.scorers = tuple(model.scorer(family.name for family in families) for families in STAGES)
@@ -64,15 +65,14 @@ class Dcg:
                 thousands of symbols for likely.
         """
         tally = Tally()
-        kept = kept_families(self.first_pass, tree, layout, tally, memory)
+        kept = None if self.restriction is None else self.restriction.kept(tree, layout, tally)
         known: Memory = {} if memory is None else memory
 
         def local(phrase: Phrase, children: Children) -> list[Hypothesis]:
             key = context_key(phrase, children)
             if key not in known:
                 known[key] = self.local(Scope(phrase, children, layout), tally, kept)
-            found: list[Hypothesis] = known[key]
-            return found
+            return known[key]
 
         return tally.inference(tree, ground(tree, local, self.beam, self.least))
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections import Counter
 from collections.abc import Callable, Mapping
-from typing import Any, Protocol
+from typing import Protocol
 
 from grounding.factors.model import FactorModel
 from grounding.features import STAGES, Family, Scope
@@ -14,7 +14,7 @@ from grounding.inference.hypotheses import Hypothesis, Inference, best_combinati
 from grounding.language.tree import Phrase
 from grounding.symbols import Symbol
 
-Memory = dict[object, Any]  # what was found before in one world, by what decides it
+Memory = dict[object, list[Hypothesis]]
 Children = tuple[frozenset[Symbol], ...]
 Kept = Mapping[int, frozenset[str]]  # the families that are looked at, by the identity of a phrase
 

@@ -68,8 +68,7 @@ class G3:
             if key not in known:
                 found = list(self.values(Scope(phrase, children, layout), tally))
                 known[key] = sorted(found, key=lambda h: -h.log_probability)[: self.beam]
-            best: list[Hypothesis] = known[key]
-            return best
+            return known[key]
 
         return tally.inference(tree, ground(tree, local, self.beam, self.least))
 

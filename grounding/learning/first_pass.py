@@ -7,21 +7,25 @@ kinds that these need.
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
 
 import numpy as np
 
 from grounding.factors.first_pass import FirstPass
 from grounding.factors.training import TrainingSet, train
 from grounding.features import FAMILIES, family_of
-from grounding.features.needs import need_facts
-from grounding.inference.first_pass import infer_needs
+from grounding.features.needs import need_facts, need_key, world_facts
+from grounding.geometry.layout import Layout
+from grounding.inference.first_pass import Restriction
+from grounding.language.tree import Phrase
 from grounding.learning.examples import Annotated
 from grounding.symbols import Symbol
 from grounding.world import Array
 
-PENALTY = 0.1
+PENALTY = 0.3
 KEPT = 0.997  # share of the needed kinds to be kept of instructions left out; some above .99, for texts to come
-PARTS = 5
+PARTS = 4
+_TOLERANCE = 1e-4  # of the fit
 _SHYEST, _BOLDEST = 1e-4, 0.1  # thresholds below and above which none is chosen
 
 KINDS = tuple(family.name for family in FAMILIES)
@@ -54,15 +58,16 @@ def learn_first_pass(examples: Iterable[Annotated], penalty: float = PENALTY, ke
 
 def share_kept(first_pass: FirstPass, examples: Iterable[Annotated]) -> float:
     """The share of the needed kinds that is kept; 1 where none is needed."""
-    counts = [count_kept(first_pass, example) for example in examples]
+    restriction = Restriction(first_pass)
+    counts = [count_kept(restriction, example) for example in examples]
     wanted = sum(total for _, total in counts)
     return sum(found for found, _ in counts) / wanted if wanted else 1.0
 
 
-def count_kept(first_pass: FirstPass, example: Annotated) -> tuple[int, int]:
+def count_kept(restriction: Restriction, example: Annotated) -> tuple[int, int]:
     """How many of the kinds that the phrases of an example need are kept, and how many they need."""
     tree, groundings, layout = example
-    needs = infer_needs(first_pass, tree, layout)
+    needs = restriction.needs(tree, layout)
     found = total = 0
     for phrase in tree.preorder():
         wanted = needed(groundings[id(phrase)])
@@ -72,20 +77,38 @@ def count_kept(first_pass: FirstPass, example: Annotated) -> tuple[int, int]:
 
 
 def _train(examples: Sequence[Annotated], penalty: float) -> FirstPass:
-    data = TrainingSet()
+    cases: dict[object, _Case] = {}
     for tree, groundings, layout in examples:
+        world = world_facts(layout)
+        of = {phrase: needed(symbols) for phrase, symbols in groundings.items()}
         for phrase in tree.preorder():
-            wanted = needed(groundings[id(phrase)])
-            children = [needed(groundings[id(child)]) for child in phrase.phrases]
-            data.add(need_facts(phrase, children, layout), [((kind,), kind in wanted) for kind in KINDS])
-    return FirstPass(train(data, penalty), 0.0)
+            children = [of[id(child)] for child in phrase.phrases]
+            key = world, need_key(phrase, children), of[id(phrase)]
+            cases.setdefault(key, _Case(phrase, children, of[id(phrase)], layout)).count += 1
+    data = TrainingSet()
+    for case in cases.values():
+        rows = [((kind,), kind in case.wanted, case.count) for kind in KINDS]
+        data.add_counted(need_facts(case.phrase, case.children, case.layout), rows)
+    return FirstPass(train(data, penalty, tolerance=_TOLERANCE), 0.0)
+
+
+@dataclass
+class _Case:
+    """A phrase with the kinds that its children and it need, and how often it occurs."""
+
+    phrase: Phrase
+    children: list[tuple[str, ...]]
+    wanted: tuple[str, ...]
+    layout: Layout
+    count: int = 0
 
 
 def _odds_of_needed(first_pass: FirstPass, examples: Sequence[Annotated]) -> Array:
     """The log odds that the first pass gives to what is needed."""
     found: list[float] = []
+    restriction = Restriction(first_pass)
     for tree, groundings, layout in examples:
-        needs = infer_needs(first_pass, tree, layout)
+        needs = restriction.needs(tree, layout)
         for phrase in tree.preorder():
             wanted = needed(groundings[id(phrase)])
             values = dict(zip(first_pass.kinds, needs[id(phrase)].log_odds.tolist(), strict=True))
