@@ -71,8 +71,10 @@ class Scorer:
 
     def values(self, facts: Iterable[str]) -> list[float]:
         """The weight of every role in a context, by column."""
-        rows = [row for row in map(self.fact_ids.get, facts) if row is not None]
-        return list(self.weights.take(rows, axis=0).sum(axis=0).tolist())
+        known = self.fact_ids
+        rows = [known[fact] for fact in facts if fact in known]
+        summed: list[float] = np.add.reduce(self.weights.take(rows, axis=0)).tolist()
+        return summed
 
     def log_odds(self, family: str, values: Sequence[float], candidates: Iterable[Sequence[str]]) -> list[float]:
         """The log odds of φ = true for candidates of one family, each given by its roles."""

@@ -14,6 +14,8 @@ from grounding.symbols import Container, ContainerAttribute, ObjectAttribute, Ob
 
 Proposals = list[tuple[Symbol, list[str]]]
 
+UNWANTED = "unwanted members"
+_ROBOT = Container("robot")
 _CHILDREN = ("head", "mod", "inner", "object", "dest", "subject", "part")
 
 
@@ -197,10 +199,22 @@ def containers(scope: Scope) -> Proposals:
             found.setdefault(("group", source.objects), []).append(f"objects of {role}")
     proposals: Proposals = _robots(scope)
     shapes = shape_roles(scope.layout).of(found)
+    of_kind = {kind: (kind_roles(scope, kind), part_roles_of(scope, kind)) for kind, _ in found}
+    of_count = {count: count_roles(scope, count) for count in {mask.bit_count() for _, mask in found}}
+    unwanted, names_of = ~fitting.wanted, scope.layout.names
     for ((kind, mask), roles), shape in zip(found.items(), shapes, strict=True):
-        roles += [*kind_roles(scope, kind), *count_roles(scope, mask.bit_count()), *member_roles(scope, mask)]
-        roles += [*shape, *look_roles(scope, mask, shape), *part_roles(scope, kind, mask)]
-        proposals.append((Container(kind, scope.layout.names(mask)), roles))
+        by_kind, wholes = of_kind[kind]
+        roles += by_kind
+        roles += of_count[mask.bit_count()]
+        if mask & unwanted:
+            roles.append(UNWANTED)
+        roles += shape
+        if mask in sets.by_mask:
+            roles += look_roles(scope, mask, shape)
+        for whole, parts in wholes:
+            if mask != whole and not mask & ~whole:
+                roles += parts
+        proposals.append((Container(kind, names_of(mask)), roles))
     return proposals
 
 
@@ -218,7 +232,7 @@ def count_roles(scope: Scope, count: int) -> list[str]:
 
 def member_roles(scope: Scope, mask: int) -> list[str]:
     """Roles of a container that depend on which its members are, not on where they lie."""
-    return ["unwanted members"] if mask & ~scope.fitting.wanted else []
+    return [UNWANTED] if mask & ~scope.fitting.wanted else []
 
 
 @lru_cache(maxsize=4096)
@@ -259,9 +273,10 @@ def part_roles_of(scope: Scope, kind: str) -> list[tuple[int, tuple[str, str]]]:
 def _robots(scope: Scope) -> Proposals:
     """The robot as the container of its recorded hands, where it is spoken of."""
     found: dict[tuple[str, ...], list[str]] = {}
-    hands = tuple(item.id for item in scope.layout.world.objects if item.type == "robot")
-    if hands and (scope.own.robot or Container("robot") in scope.named):
-        found.setdefault(hands, []).append("robot of own")
+    if scope.own.robot or _ROBOT in scope.named:
+        hands = tuple(item.id for item in scope.layout.world.objects if item.type == "robot")
+        if hands:
+            found[hands] = ["robot of own"]
     for role, source in scope.child_sources.items():
         if source.hands:
             found.setdefault(source.hands, []).append(f"robot of {role}")
