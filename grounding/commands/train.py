@@ -21,7 +21,7 @@ from grounding.corpus.loading import load_corpus
 from grounding.corpus.making import make_corpus
 from grounding.corpus.treebank import build_variants, read_trees
 from grounding.corpus.wording import sampled_sentences, sentences_of
-from grounding.factors import load_model, save_model
+from grounding.factors import FactorModel, load_model, save_model
 from grounding.features import FAMILIES
 from grounding.geometry.layout import Layout
 from grounding.language.grammar import Grammar
@@ -68,7 +68,8 @@ def run(args: argparse.Namespace) -> int:
         corpora.append(make_corpus(args.generated, args.seed))
     corpora = [_learnable(corpus, args.hold_out) for corpus in corpora]
     if args.first_pass_only:
-        return _add_first_pass(_all_examples(corpora, args), args.output, start)
+        model = load_model(args.output / models.WEIGHTS.name)
+        return _add_first_pass(model, _all_examples(corpora, args), args.output, start)
     spoken = (sentence for corpus in corpora for e in corpus.examples for sentence in sentences_of(e.tree))
     trees = {str(tree): tree for tree in (*read_trees(args.trees), *spoken)}
     args.output.mkdir(parents=True, exist_ok=True)
@@ -96,13 +97,11 @@ def _all_examples(corpora: Sequence[Corpus], args: argparse.Namespace) -> list[A
     return examples
 
 
-def _add_first_pass(examples: Sequence[Annotated], folder: Path, start: float) -> int:
+def _add_first_pass(model: FactorModel, examples: Sequence[Annotated], folder: Path, start: float) -> int:
     """Learn a first pass and write it beside the factors that are there."""
-    path = folder / models.WEIGHTS.name
-    model = load_model(path)
     _say(f"first pass from {len(examples)} examples")
     first_pass = learn_first_pass(examples)
-    save_model(replace(model, first_pass=first_pass), path)
+    save_model(replace(model, first_pass=first_pass), folder / models.WEIGHTS.name)
     counts = {"examples": len(examples), "features of the first pass": first_pass.factor.feature_count}
     return _finish(counts, start, folder)
 
@@ -141,7 +140,7 @@ def _progress() -> Callable[[str], None]:
     names = [family.name for family in FAMILIES]
 
     def tell(name: str) -> None:
-        done = names.index(name)
+        done = names.index(name) if name in names else len(names)
         _say(f"[{'#' * done}{'.' * (len(names) - done)}] {done}/{len(names)} factors, now {name}")
 
     return tell

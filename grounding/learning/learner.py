@@ -9,6 +9,8 @@ from grounding.features.discretiser import strictness
 from grounding.learning.examples import PROPOSED, Annotated, Negatives, collect
 from grounding.learning.first_pass import learn_first_pass
 
+FIRST_PASS = "first pass"
+
 
 def learn(
     examples: Iterable[Annotated],
@@ -22,7 +24,7 @@ def learn(
     Args:
         examples: annotated trees.
         penalty: strength of the L2 regularisation.
-        progress: told the name of every family when its turn comes.
+        progress: told the name of every family when its turn comes, and `FIRST_PASS` when that of the first pass does.
         notes: kept with the weights.
         negatives: which symbols are negatives beside those that are proposed.
     """
@@ -33,6 +35,9 @@ def learn(
         if progress is not None:
             progress(name)
         factors[name] = train(data, penalty, strictness=strictness)
+    if progress is not None:
+        progress(FIRST_PASS)
+    first_pass = learn_first_pass(known)
     counts = {name: f"{coverage.proposed[name]} of {n}" for name, n in sorted(coverage.annotated.items())}
     about = {"penalty": penalty, "annotated symbols proposed": counts, **(notes or {})}
-    return FactorModel(factors, about, learn_first_pass(known))
+    return FactorModel(factors, about, first_pass)
