@@ -55,22 +55,17 @@ def objects(scope: Scope) -> Proposals:
 
 def object_roles(scope: Scope, index: int) -> list[str]:
     """Roles of a thing in what the phrase itself and its children have grounded to."""
-    roles = [f"in own {kind}" for kind, mask in scope.own_abstract.containers if mask >> index & 1]
-    if scope.own_abstract.containers:
+    containers = scope.own_abstract.containers
+    roles = [f"in own {kind}" for kind, mask in containers if mask >> index & 1]
+    if containers:
         roles.append("in own container" if roles else "outside own container")
-    told = list(scope.child_sources.items())
-    if scope.sets.ranked_again:
-        told = [(role, source) for role, source in told if role != "head"]
-    children = [source.objects for _, source in told if source.objects]
-    inside = sum(mask >> index & 1 for mask in children)
-    if children:
-        share = "all" if inside == len(children) else "some" if inside else "none"
-        roles.append(f"in {share} of {min(len(children), 2)}")
-    for role, source in told:
-        if source.objects >> index & 1:
-            roles.append(f"in {role}")
-            if source.objects & (source.objects - 1) == 0:
-                roles.append(f"is {role}")
+    told = scope.told_objects
+    if told:
+        inside = [named for mask, named in told if mask >> index & 1]
+        share = "all" if len(inside) == len(told) else "some" if inside else "none"
+        roles.append(f"in {share} of {min(len(told), 2)}")
+        for named in inside:
+            roles += named
     return roles
 
 
