@@ -26,7 +26,7 @@ PENALTY = 0.3
 KEPT = 0.997  # share of the needed kinds to be kept of instructions left out; some above .99, for texts to come
 PARTS = 4
 _TOLERANCE = 1e-4  # of the fit
-_SHYEST, _BOLDEST = 1e-4, 0.1  # thresholds below and above which none is chosen
+_SHYEST, _BOLDEST = 1e-4, 0.02  # thresholds below and above which none is chosen
 
 KINDS = tuple(family.name for family in FAMILIES)
 
