@@ -69,7 +69,7 @@ def run(args: argparse.Namespace) -> int:
     corpora = [_learnable(corpus, args.hold_out) for corpus in corpora]
     if args.first_pass_only:
         model = load_model(args.output / models.WEIGHTS.name)
-        return _add_first_pass(model, _all_examples(corpora, args), args.output, start)
+        return _add_first_pass(model, _all_examples(corpora, args), args, start)
     spoken = (sentence for corpus in corpora for e in corpus.examples for sentence in sentences_of(e.tree))
     trees = {str(tree): tree for tree in (*read_trees(args.trees), *spoken)}
     args.output.mkdir(parents=True, exist_ok=True)
@@ -97,13 +97,15 @@ def _all_examples(corpora: Sequence[Corpus], args: argparse.Namespace) -> list[A
     return examples
 
 
-def _add_first_pass(model: FactorModel, examples: Sequence[Annotated], folder: Path, start: float) -> int:
+def _add_first_pass(
+    model: FactorModel, examples: Sequence[Annotated], args: argparse.Namespace, start: float
+) -> int:
     """Learn a first pass and write it beside the factors that are there."""
     _say(f"first pass from {len(examples)} examples")
-    first_pass = learn_first_pass(examples)
-    save_model(replace(model, first_pass=first_pass), folder / models.WEIGHTS.name)
+    first_pass = learn_first_pass(examples, args.penalty)
+    save_model(replace(model, first_pass=first_pass), args.output / models.WEIGHTS.name)
     counts = {"examples": len(examples), "features of the first pass": first_pass.factor.feature_count}
-    return _finish(counts, start, folder)
+    return _finish(counts, start, args.output)
 
 
 def _write_grammar(grammar: Grammar, folder: Path) -> None:

@@ -37,7 +37,7 @@ def learn(
         factors[name] = train(data, penalty, strictness=strictness)
     if progress is not None:
         progress(FIRST_PASS)
-    first_pass = learn_first_pass(known)
+    first_pass = learn_first_pass(known, penalty)
     counts = {name: f"{coverage.proposed[name]} of {n}" for name, n in sorted(coverage.annotated.items())}
     about = {"penalty": penalty, "annotated symbols proposed": counts, **(notes or {})}
     return FactorModel(factors, about, first_pass)
