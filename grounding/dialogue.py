@@ -12,8 +12,8 @@ from grounding.geometry.layout import Layout
 from grounding.graded.belief import GradedBelief
 from grounding.graded.discourse import clauses_of
 from grounding.language.tree import Phrase
-from grounding.literal import SILENT, LiteralBelief
 from grounding.lexicon.parameters import value
+from grounding.literal import SILENT, LiteralBelief
 from grounding.missing import unknown_named, unknown_things, whats_missing
 from grounding.model.belief import Belief, Option
 from grounding.phrases import by_answer, by_factors

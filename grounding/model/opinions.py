@@ -7,10 +7,10 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
+from grounding.meaning.discourse.told import Told
 from grounding.model.belief import NOTHING, Objects, Reading, rows_of
 from grounding.model.cases import Case
 from grounding.model.evaluator import Evaluator
-from grounding.meaning.discourse.told import Told
 
 _LEAST = 1e-3  # shares of belief below this are alike
 

@@ -54,7 +54,7 @@ def load_weights(path: Path) -> Weights:
     if not isinstance(weights, dict) or not numbers:
         raise ModelError(f"expected a number for every feature in {path}; `make weights` makes them anew")
     if data.get("sha256") != _digest(weights):
-        raise ModelError(f"the weights {path} are damaged: they do not fit their digest; `make weights` makes them anew")
+        raise ModelError(f"the weights {path} do not fit their digest; `make weights` makes them anew")
     return {name: float(value) for name, value in weights.items()}
 
 
