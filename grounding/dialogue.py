@@ -84,11 +84,12 @@ def decide(
         return Grounding(text, "not_understood", explanation=refusal, unknown_words=words, phrases=phrases)
     if graded is not None and not (graded.options and graded.truth > 0) and not literal.options:
         graded = None
-    gone = belief is not None and bool(belief.readings) and belief.nothing >= value("answer.missing")
+    read = literal.missing or (belief is not None and any(reading.cases for reading in belief.readings))
+    gone = bool(read) and belief is not None and belief.nothing >= value("answer.missing")
     if gone and literal.missing:
         return Grounding(text, "no_referent", explanation=literal.missing, unknown_words=words, phrases=phrases)
     if gone or ((graded is None or graded.truth < CREDIBLE) and not literal.options):
-        missing = whats_missing(tree, scene) if graded is not None or found[0].actions else None
+        missing = whats_missing(tree, scene) if gone or graded is not None or found[0].actions else None
         if missing is not None:
             words = tuple(dict.fromkeys((*words, *unknown_things(tree, scene.layout))))
             return Grounding(text, "no_referent", explanation=missing, unknown_words=words, phrases=phrases)

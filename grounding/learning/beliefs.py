@@ -29,8 +29,8 @@ from grounding.world.scene import Scene
 EQUAL: Weights = MappingProxyType({**EVEN, "nothing": -3.0, "parse": 0.5, "spread": 1.0, "graded": 1.0, "literal": 1.0,
                                    "nothing.literal": 1.0})  # fmt: skip
 """Equal weights of all concepts, towards which the penalty pulls."""
-PENALTY = 20.0
-HANDS = 6.0
+PENALTY = 100.0
+HANDS = 20.0
 """Free texts count so many times more than others: they are few, and more like what people write."""
 ROUNDS = 2
 

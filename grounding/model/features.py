@@ -25,6 +25,8 @@ def family(condition: Condition) -> str:
     name = condition.concept
     if condition.concept == "toward" and condition.strict:
         name = "toward.strict"
+    elif condition.concept == "relation":
+        name = f"relation.{condition.words[0]}"
     elif condition.concept == "same" and condition.said:
         name = f"same.{condition.said}"
     elif condition.concept == "at" and condition.region is not None:
