@@ -103,9 +103,9 @@ def _said(condition: Condition) -> str:
             return f"the same as {others}"
         case "on_table" | "alone" | "middle":
             return {"on_table": "on the table", "alone": "alone", "middle": "in the middle"}[condition.concept]
-    rank = f"{_number(condition)} " if condition.rank is not None else ""
+    counted = f"{_number(condition)} " if condition.rank is not None else ""
     preposition = PREPOSITIONS.get(condition.concept, "of") if others else ""
-    parts = (rank + condition.concept.replace("_", " "), words, preposition, others)
+    parts = (counted + condition.concept.replace("_", " "), words, preposition, others)
     return " ".join(part for part in parts if part)
 
 
