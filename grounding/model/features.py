@@ -48,6 +48,8 @@ def add_held(case: Case, condition: Condition, held: Held, *, ranked: bool) -> N
     name, truth, preference = family(condition), logarithm(held.truth), logarithm(held.preference)
     case.add("T", truth)
     case.add(f"T.{name}", truth)
+    if condition.said and condition.of:
+        case.add(f"T.{name}:{condition.said}", truth)
     for limit in BINS:
         below = (held.truth < limit).astype(float)
         case.add(f"T<{limit}", below)

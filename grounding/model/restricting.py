@@ -265,8 +265,8 @@ def _at(evaluator: Evaluates, condition: Condition, base: Array) -> Held:
         return _plain(np.ones(scene.n))
     spot = evaluator.spot(condition.region)
     if condition.said == "clear":
-        inside = np.all([place.within(scene, spot) @ vector > 0 for vector in spot.directions] or [np.ones(scene.n, bool)], axis=0)
-        return _plain(inside.astype(float))
+        along = [place.within(scene, spot) @ vector > 0 for vector in spot.directions]
+        return _plain(np.all(along, axis=0).astype(float) if along else np.ones(scene.n))
     return Held(place.truth(scene, spot), place.preference(scene, spot, base > 0.5))
 
 
