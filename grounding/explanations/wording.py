@@ -42,6 +42,7 @@ _WHOLE = {
 def feature_text(name: str) -> str:
     """A feature of the model in words."""
     plain, _, limit = name.partition("<")
+    plain, _, word = plain.partition(":")
     head, _, rest = plain.partition(".")
     below = f", if below {limit}" if limit else ""
     if head == "view":
@@ -55,7 +56,7 @@ def feature_text(name: str) -> str:
         return f"{said}{f' ({rest})' if rest else ''}{below}"
     if not rest:
         return f"{_DEGREES[head]}, of all that is said{below}"
-    concept, more = rest, ""
+    concept, more = rest, f' ("{word}")' if word else ""
     if concept.endswith(".nth"):
         concept, more = concept.removesuffix(".nth"), " counted"
     if concept.endswith(".ranked") or concept == "ranked":

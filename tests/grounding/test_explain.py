@@ -217,7 +217,7 @@ def test_the_order_of_objects_changes_no_word(order):
 def test_every_feature_has_words_of_its_own():
     names = {"T.toward", "T.toward<0.15", "T.not.toward", "P.at.side.ranked", "R.side", "R.side.nth", "best.colour",
              "R.set.size", "view.robot.you", "form.line.evident", "nothing", "nothing.goal<0.5", "sole", "P.ranked",
-             "sole.chosen", "set.member", "set.those", "buried.vertical"}  # fmt: skip
+             "sole.chosen", "T.beside", "T.beside:next", "set.member", "set.those", "buried.vertical"}  # fmt: skip
     for reading in grounder().understand("take the leftmost red block in the row", scene("seven")).belief.readings:
         for case in (*reading.cases, reading.nothing):
             names |= {*case.scalars, *case.columns}
