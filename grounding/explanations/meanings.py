@@ -88,7 +88,9 @@ class Meanings:
 
     def _line(self, line: Line) -> LineExplained:
         if line.condition is None:
-            return LineExplained(line.text, line.name, likely=self.likely(self.denotation(line.referent)))
+            denoted = self.denotation(line.referent)
+            truth = denoted.truth if line.referent.sort in (OBJECTS, SETS) else None
+            return LineExplained(line.text, line.name, likely=self.likely(denoted), truth=truth)
         found: list[tuple[Objects, Degrees]] = []
         for candidate in self._shown(line.referent):
             degrees = self.degrees(line.condition, candidate)

@@ -18,6 +18,7 @@ from grounding.explanations.values import (
 _REASONS = 4
 _FEATURES = 3
 _WIDTH = 46  # of the lines of a meaning, where what stands beside them begins
+_UNTRUE = 0.5  # below this it is told how true a referent is of what it means best
 _KINDS = {"objects": "weights", "sets": "sets", "degree": "holds of", "place": "lies there"}
 _SHORT = {"truth": "true", "preference": "preferred", "rank": "ranked"}
 
@@ -64,6 +65,8 @@ def _line(line: LineExplained) -> str:
     beside = [f"{' '.join(names)} {_degrees(degrees)}" for names, degrees in line.degrees]
     if line.likely:
         beside.append(_likely(line.likely))
+    if line.truth is not None and line.truth < _UNTRUE:
+        beside.append(f"true {line.truth:.2f}")
     return f"{line.text:{_WIDTH}}  {'; '.join(beside)}".rstrip()
 
 

@@ -38,13 +38,15 @@ class LineExplained:
         name: of the referent of which it tells; "" for the goal.
         degrees: of the answer and of the runner-up where it tells of what is handled, else of what is most likely
             meant there: ids with degrees. Empty where nothing was measured.
-        likely: of a line that tells a sort: ids with weights, the likeliest first.
+        likely: of a line that tells a sort: ids with weights beside the best, the likeliest first.
+        truth: of a line that tells a sort: how well all that is said holds of the best; None for other lines.
     """
 
     text: str
     name: str = ""
     degrees: tuple[tuple[Objects, Degrees], ...] = ()
     likely: tuple[tuple[Objects, float], ...] = ()
+    truth: float | None = None
 
     def to_json(self) -> dict[str, Any]:
         """Plain values."""
@@ -53,6 +55,7 @@ class LineExplained:
             "name": self.name,
             "degrees": [{"objects": list(names), **degrees.to_json()} for names, degrees in self.degrees],
             "likely": [{"objects": list(names), "weight": round(weight, 4)} for names, weight in self.likely],
+            "truth": None if self.truth is None else round(self.truth, 4),
         }
 
 
