@@ -101,9 +101,8 @@ def read_vocabulary(path: Path) -> Vocabulary:
     """
     data = read_toml(path, "table of words")
     several = data.pop("several", [])
-    known = {name for name in data if isinstance(data[name], dict)}
     if path != WORDS:
-        _check_families(known, path)
+        _check_families(set(data), path)
     families = {}
     for family, entries in data.items():
         if not isinstance(entries, dict):

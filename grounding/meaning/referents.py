@@ -1,9 +1,9 @@
 """Referents and conditions: what a text speaks of, and what it says of it.
 
 A referent is something spoken of: objects, sets of them, a place, a person. A condition is a concept of the lexicon
-that is said of it, with the other referents to which it relates. Conditions restrict ("red", "left of x"), choose a set of
-which something is a member ("in the row"), or rank ("nearest to x", "third"). Referents are told apart by identity: one
-that is mentioned twice is one.
+that is said of it, with the other referents to which it relates. Conditions restrict ("red", "left of x"), choose a
+set of which something is a member ("in the row"), or rank ("nearest to x", "third"). Referents are told apart by
+identity: one that is mentioned twice is one.
 """
 
 from __future__ import annotations
