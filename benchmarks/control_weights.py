@@ -1,7 +1,7 @@
 """Weights that learning did not choose, as controls for those that it did.
 
-Equal: every concept counts the same, see `grounding.learning.beliefs.EQUAL`. Shuffled: the weights are learned as ever, but
-what every text means is drawn from what its readings propose.
+Equal: every concept counts the same, see `grounding.learning.beliefs.EQUAL`. Shuffled: the weights are learned as ever,
+but what every text means is drawn from what its readings propose.
 """
 
 from __future__ import annotations

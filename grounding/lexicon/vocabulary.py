@@ -81,7 +81,7 @@ def extended(family: str, value: str, *words: str) -> Iterator[None]:
         before = table.value(family, word)
         if before not in (None, value):
             raise LexiconError(f"in [{family}] the word {word!r} says {before!r}; it cannot say {value!r} as well")
-    entries = {**table.families[family], **{word: (value,) for word in words}}
+    entries = {**table.families[family], **dict.fromkeys(words, (value,))}
     _extra.append(Vocabulary({**table.families, family: entries}))
     try:
         yield

@@ -403,7 +403,9 @@ _RESTRICTING: dict[str, Restricting] = {
     "stepped": _stepped, "beside": _beside, "touching": _touching, "apart": _apart, "between": _between,
     "surrounded": _surrounded, "at": _at, "part": _part, "centre": _centre, "on": _on, "on_table": _on_table,
     "alone": _alone, "before": _before, "same": _same, "other": _other, "recalled": _recalled, "outside": _outside,
-    "apart_others": _apart_others, "with_others": _with_others, "relation": _relation, "member": _member, "among": _member, "those": _member,
+    "apart_others": _apart_others,
+    "with_others": _with_others, "relation": _relation,
+    "member": _member, "among": _member, "those": _member,
 }  # fmt: skip
 
 

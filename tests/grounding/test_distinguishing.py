@@ -11,8 +11,8 @@ from grounding.corpus.composer import compose
 from grounding.distinguishing import Describer, Description, listed_descriptions
 from grounding.geometry.layout import Layout
 from grounding.graded.belief import believe
-from grounding.world.scene import Scene
 from grounding.language.parser import Parser
+from grounding.world.scene import Scene
 
 SWAPPED = {"you": "me", "me": "you", "your": "my", "my": "your"}
 

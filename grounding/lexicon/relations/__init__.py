@@ -1,7 +1,7 @@
 """Relations between two things, each a file of its own that is found by its name.
 
-A module here has two functions of the places that are asked for and of the scene, each of shape (m, n) for m places and n
-objects, in [0, 1]: `truth(where, scene)` tells how well a place stands in the relation to an object, and
+A module here has two functions of the places that are asked for and of the scene, each of shape (m, n) for m places and
+n objects, in [0, 1]: `truth(where, scene)` tells how well a place stands in the relation to an object, and
 `preference(where, scene)` which of the places that it is true of would be meant. The words that say it stand in the
 section [relation] of the table of words, under the module's name.
 """
