@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from grounding.graded.destinations.items import peeled
+from grounding.meaning.goal.items import peeled
 from grounding.language.tree import Phrase, Word
 from grounding.meaning.discourse.giving import gained, given
 from grounding.meaning.discourse.hearing import Sentence, hear
