@@ -1,4 +1,4 @@
-"""What the references of a clue may be: boxes on the floor plan with shares of belief."""
+"""The references of a clue, as boxes on the floor plan with shares of belief."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ class Anchors:
 
 
 def find_anchors(nouns: Sequence[Noun], source: int, points: Array, reader: PhraseReader) -> Anchors | None:
-    """What nouns may refer to.
+    """Look up what nouns may refer to.
 
     Args:
         nouns: one, or the two between which something lies.
@@ -62,7 +62,7 @@ def find_anchors(nouns: Sequence[Noun], source: int, points: Array, reader: Phra
 
 
 def around(source: int, points: Array) -> Anchors:
-    """Where something stands itself."""
+    """The place where something stands itself."""
     return Anchors(((source,),), np.ones(1), points[[source]], points[[source]])
 
 

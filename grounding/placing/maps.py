@@ -1,4 +1,4 @@
-"""How well every candidate place agrees with a clue, each in [0, 1]."""
+"""Maps of how well every candidate place agrees with a clue, each in [0, 1]."""
 
 from __future__ import annotations
 
@@ -6,20 +6,21 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from grounding.placing.anchors import Anchors
+from grounding.lexicon.degrees import gaussian
 from grounding.meaning.goal.clues import Clue, Offset
-from grounding.placing.places import PITCH, Places, Plan
 from grounding.model.phrases import PhraseReader
+from grounding.placing.anchors import Anchors
+from grounding.placing.floor_plan import PITCH, FloorPlan, Places
 from grounding.world import Array
 
 OWN_UNSAID = {"": 2.25, "slightly": 0.5, "far": 5.0}
-"""How far things are moved where only a direction is said [edges]."""
+"""The length of a way where only a direction is said [edges]."""
 BESIDES = 1.15  # how far along one axis where the other one is spoken of as well [edges]
 SPREAD = 1.1  # of that, as a factor's logarithm
 STRETCH = {1: 1.2, 2: 1.14}
-"""How long people's steps are, by the number of axes along which they go [edges]: a step leaves a gap."""
+"""The length of people's steps, by the number of axes along which they go [edges]: a step leaves a gap."""
 FROM_CENTRE, FROM_SIDE = 1.0, 0.45
-"""How often so many blocks from something are counted from its centre, and how often between the sides."""
+"""Weights of counting blocks from the centre of something, and of counting between the sides."""
 OTHERWISE = 0.1  # how often a tower comes to be lower or higher than is said
 SET_DOWN = 1.0  # within how many edges something is set down where only the table is named
 BESIDE = {"": 1.3, "slightly": 0.8, "far": 4.0}  # how far from a reference [edges]
@@ -62,17 +63,12 @@ class Shift:
 
     @property
     def typical(self) -> Array:
-        """How far the way goes along each axis where nothing is said, shape (2,) [edges]."""
+        """The length of the way along each axis where nothing is said, shape (2,) [edges]."""
         several = int((self.said | (self.open != 0)).sum()) > 1
         return np.array([BESIDES if several and not e else OWN_UNSAID[e] for e in self.extent])
 
 
 _FLAT = {"up": "back", "down": "front"}
-
-
-def gaussian(values: Array, width: float | Array) -> Array:
-    """exp(-x² / 2 s²)."""
-    return np.asarray(np.exp(-0.5 * np.square(values / width)))
 
 
 def moved(shift: Shift, start: Array, points: Array) -> Array:
@@ -95,7 +91,7 @@ def _logarithmic(along: Array, typical: float) -> Array:
     return np.asarray(gaussian(np.log(np.maximum(along, 0.05) / typical), SPREAD) * (along > 0.15))
 
 
-def shifted(shift: Shift, anchors: Anchors, points: Array, strict: bool) -> Array:
+def offset_from(shift: Shift, anchors: Anchors, points: Array, strict: bool) -> Array:
     """From references: so far between the sides, or beside them that way; shape (p, h)."""
     total = np.ones((len(points), len(anchors.share)))
     for k in range(2):
@@ -128,13 +124,13 @@ def _beyond(along: Array, typical: float, strict: bool) -> Array:
     return np.asarray(rising * falling)
 
 
-def _from(points: Array, plan: Plan, members: Sequence[int]) -> tuple[Array, Array]:
+def _from(points: Array, plan: FloorPlan, members: Sequence[int]) -> tuple[Array, Array]:
     """The larger and the smaller distance along the axes of points (p, 2) from objects, each of shape (m, p)."""
     across, along = (np.abs(plan.points[list(members), k][:, None] - points[:, k]) for k in range(2))
     return np.maximum(across, along), np.minimum(across, along)
 
 
-def beside(places: Places, plan: Plan, anchors: Anchors, touching: bool) -> Array:
+def next_to(places: Places, plan: FloorPlan, anchors: Anchors, touching: bool) -> Array:
     """Next to a member of each hypothesis, shape (p, h)."""
     found = np.zeros((len(places.points), len(anchors.share)))
     for h, members in enumerate(anchors.members):
@@ -145,7 +141,7 @@ def beside(places: Places, plan: Plan, anchors: Anchors, touching: bool) -> Arra
     return found
 
 
-def on_top(places: Places, plan: Plan, anchors: Anchors) -> Array:
+def on_top(places: Places, plan: FloorPlan, anchors: Anchors) -> Array:
     """On top of a member of each hypothesis, shape (p, h)."""
     found = np.zeros((len(places.points), len(anchors.share)))
     above = np.flatnonzero(places.support >= 0)
@@ -155,7 +151,7 @@ def on_top(places: Places, plan: Plan, anchors: Anchors) -> Array:
     return found
 
 
-def raising(places: Places, plan: Plan, height: int) -> Array:
+def raising(places: Places, plan: FloorPlan, height: int) -> Array:
     """On a tower that then is so many blocks high, or on anything where that is 0, shape (p,)."""
     found = np.asarray(places.support >= 0, dtype=float)
     if height > 1:
@@ -169,7 +165,7 @@ def lying(places: Places, start: Array) -> Array:
     return np.asarray((places.support < 0) * np.exp(-away / SET_DOWN))
 
 
-def amid(plan: Plan, anchors: Anchors, points: Array) -> Array:
+def in_between(plan: FloorPlan, anchors: Anchors, points: Array) -> Array:
     """Between two, or amid several, shape (p, h)."""
     found = np.zeros((len(points), len(anchors.share)))
     for h, members in enumerate(anchors.members):
@@ -190,7 +186,7 @@ def amid(plan: Plan, anchors: Anchors, points: Array) -> Array:
     return found
 
 
-def aligned(clue: Clue, anchors: Anchors, points: Array) -> Array:
+def in_line(clue: Clue, anchors: Anchors, points: Array) -> Array:
     """In one row or column with a reference, shape (p, h)."""
     at = points[:, None]
     off = np.maximum(np.maximum(anchors.low - at, at - anchors.high), 0.0)
@@ -201,7 +197,7 @@ def aligned(clue: Clue, anchors: Anchors, points: Array) -> Array:
     return np.asarray(found * away)
 
 
-def within(clue: Clue, anchors: Anchors, points: Array) -> Array:
+def inside(clue: Clue, anchors: Anchors, points: Array) -> Array:
     """In a row, a column, a circle or a group, shape (p, h)."""
     at = points[:, None]
     off = np.maximum(np.maximum(anchors.low - at, at - anchors.high), 0.0)

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 
+from grounding.lexicon.degrees import gaussian
 from grounding.meaning.goal.clues import Clue
-from grounding.placing.maps import Shift, gaussian
-from grounding.placing.places import PITCH, Plan
 from grounding.model.phrases import PhraseReader
+from grounding.placing.floor_plan import PITCH, FloorPlan
+from grounding.placing.maps import Shift
 from grounding.world import Array
 from grounding.world.scene import SLANT
 
@@ -19,7 +20,7 @@ ACROSS = 0.6  # width across it
 _EVERY_CORNER = np.array([[1.0, 1], [1, -1], [-1, 1], [-1, -1]])
 
 
-def _target(clue: Clue, plan: Plan, reader: PhraseReader) -> tuple[Array, Array]:
+def _target(clue: Clue, plan: FloorPlan, reader: PhraseReader) -> tuple[Array, Array]:
     """Middles (m, 2) and widths (2,) of parts of the table in edges: all four where a corner is named by no side."""
     noun = clue.nouns[0]
     if noun.place == "corner" and not noun.directions and not noun.middle:
@@ -36,14 +37,14 @@ def _target(clue: Clue, plan: Plan, reader: PhraseReader) -> tuple[Array, Array]
     return np.asarray(centre[None]), np.asarray(np.where(free, ACROSS, ALONG) * plan.half)
 
 
-def side_points(clue: Clue, shift: Shift, plan: Plan, reader: PhraseReader) -> Array:
+def side_points(clue: Clue, shift: Shift, plan: FloorPlan, reader: PhraseReader) -> Array:
     """The points that are meant most, shape (m, 2) in edges."""
     centres, _ = _target(clue, plan, reader)
     return np.asarray(centres + (shift.steps + shift.open) * PITCH)
 
 
-def side_map(clue: Clue, shift: Shift, points: Array, plan: Plan, reader: PhraseReader) -> Array:
-    """How well points (p, 2) lie in a part of the table."""
+def side_map(clue: Clue, shift: Shift, points: Array, plan: FloorPlan, reader: PhraseReader) -> Array:
+    """Measure how well points (p, 2) lie in a part of the table."""
     centres, width = _target(clue, plan, reader)
     centres = centres + (shift.steps + shift.open) * PITCH
     away = (points[:, None] - centres[None]) / width

@@ -1,1 +1,1 @@
-"""What the words of a destination say, in their order: pieces of a text, and the clues that they give about one point."""
+"""Destinations in words: pieces of a text in their order, and the clues that they give about one point."""

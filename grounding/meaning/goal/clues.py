@@ -1,8 +1,8 @@
-"""What the words of a destination say about one point: clues, relations to something with directions and lengths."""
+"""Clues of the point that a destination means: relations to something, with directions and lengths."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from grounding.meaning.nouns import Noun
 
@@ -50,3 +50,7 @@ class Clue:
     axis: str = ""
     strict: bool = False
     height: int = 0
+
+    def going(self, *offsets: Offset) -> Clue:
+        """The same with further offsets."""
+        return replace(self, offsets=(*self.offsets, *offsets))

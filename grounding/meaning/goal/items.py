@@ -2,24 +2,16 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
 
-from grounding.lexicon import words as w
-from grounding.meaning.goal.vocabulary import STORIES
-from grounding.meaning.nouns import Noun, read_noun
-from grounding.language.lexicon import meanings
 from grounding.language.tree import Phrase, Word
-from grounding.symbols import Cardinal, Ordinal
+from grounding.lexicon import words as w
+from grounding.lexicon.whereto import is_story
+from grounding.meaning.goal.lengths import LINES, is_length, number, opens_distance, peeled
+from grounding.meaning.nouns import Noun, read_noun
 
-_DECIMAL = re.compile(r"\d+\.\d+|\.\d+")
-_AMOUNTS = {"half": 0.5, "quarter": 0.25, "couple": 2.0, "few": 2.5, "several": 3.0, "twice": 2.0, "once": 1.0}
-_LENGTHS = frozenset("row rows column columns line lines level levels".split())
-_DEFINITE = frozenset("the this that these those both all".split())
 _MOVING = frozenset("place put move set stack position lay slide shift".split())
-_RESULTS = frozenset("so until making creating forming where such".split())
-_RELATING = frozenset("between on onto of touching touches touch next with by beside near against atop among".split())
 _OWN = frozenset("its it's their".split())
 
 
@@ -66,28 +58,6 @@ def _commands(phrase: Phrase) -> bool:
     return phrase.tag == "VP" and bool(phrase.words) and phrase.words[0].text in _MOVING
 
 
-def number(text: str) -> float | None:
-    """The number that a word says, parts included."""
-    if text in _AMOUNTS:
-        return _AMOUNTS[text]
-    if _DECIMAL.fullmatch(text):
-        return float(text)
-    return next((float(s.value) for s in meanings(text) if isinstance(s, Cardinal)), None)
-
-
-def ordinal(text: str) -> int:
-    """The rank that a word says, from 1; 0 where it says none."""
-    return next((s.value for s in meanings(text) if isinstance(s, Ordinal) and s.value > 0), 0)
-
-
-def stories(noun: Noun) -> int:
-    """How high the tower is that a noun asks for, in blocks; 0 where it does not say."""
-    if noun.number:
-        return noun.number
-    counts = (number(m.leaves[1].text) for m in noun.modifiers if m.leaves[0].text == "of" and len(m.leaves) > 1)
-    return int(next((value for value in counts if value), 0))
-
-
 def _word(word: Word) -> Item:
     text = word.text
     value = number(text)
@@ -104,61 +74,12 @@ def _name(phrase: Phrase, items: list[Item]) -> None:
     """A noun phrase: a distance, a thing, a place, or words that say something else."""
     noun, apart = peeled(read_noun(phrase))
     texts = [leaf.text for leaf in phrase.leaves]
-    if _opens_distance(phrase, noun, items):
+    if opens_distance(phrase, noun, [item.text for item in items[-2:]]):
         _spread(phrase, items)
         return
     _take(phrase, noun, texts, items)
     for modifier in apart:
         _enter(modifier, items)
-
-
-def peeled(noun: Noun) -> tuple[Noun, list[Phrase]]:
-    """A noun without what says how far to go from it or what shall come about: "the tower" "up two spaces"."""
-    if noun.conjoined and all(_is_length(read_noun(p), p.text.split()) or number(p.text) for p in noun.conjoined[1:]):
-        first, ways = peeled(read_noun(noun.conjoined[0]))
-        if ways:
-            return first, [*ways, *noun.conjoined[1:], *noun.modifiers]
-    apart = [m for m in noun.modifiers if is_course(m)]
-    kept = tuple(m for m in noun.modifiers if m not in apart)
-    return (replace(noun, modifiers=kept) if apart else noun), apart
-
-
-def is_course(phrase: Phrase) -> bool:
-    """Whether a phrase tells a way to go: directions and lengths, and no thing."""
-    first = phrase.leaves[0].text
-    if first in _RESULTS or (first in ("in", "at") and len(phrase.leaves) > 2 and w.is_measure(phrase.leaves[2].text)):
-        return True
-    nouns = [p for p in phrase.preorder() if p.tag == "NP"]
-    measured = any(_is_length(read_noun(p), [leaf.text for leaf in p.leaves]) for p in nouns)
-    things = any(not p.phrases and read_noun(p).head in ("block", "container", "pronoun", "table") and not _is_length(
-        read_noun(p), [leaf.text for leaf in p.leaves]) for p in nouns)  # fmt: skip
-    return measured and not things and any(w.directions(leaf.text) for leaf in phrase.leaves)
-
-
-def _opens_distance(phrase: Phrase, noun: Noun, items: list[Item]) -> bool:
-    """Whether a noun phrase says how far from something: "two blocks" "above the tower", "one" "left of X"."""
-    if noun.head not in ("block", "measure", "other") or not noun.modifiers or noun.colors or noun.conjoined:
-        return False
-    base = phrase
-    while base.phrases and base.phrases[0].tag == "NP" and base.children[0] is base.phrases[0]:
-        base = base.phrases[0]
-    texts = [word.text for word in base.words]
-    if not texts or number(texts[0]) is None and texts[0] not in ("a", "an", "about"):
-        return False
-    plain = all(
-        number(t) is not None or t in ("a", "an", "about", "and", "more") or w.is_measure(t) or w.is_block(t)
-        for t in texts
-    )
-    counted = any(number(t) is not None for t in texts) or any(w.is_measure(t) for t in texts)
-    led = any(w.directions(leaf.text) or leaf.text in ("behind", "from") for leaf in noun.modifiers[0].leaves[:5])
-    before = [item.text for item in items[-2:]]
-    related = (
-        before[-1:] == ["to"]
-        and before[:1] != before[-1:]
-        and w.is_beside(before[0])
-        or bool(before and before[-1] in _RELATING)
-    )
-    return plain and counted and (led or all(number(t) is not None for t in texts)) and not related
 
 
 def _spread(phrase: Phrase, items: list[Item]) -> None:
@@ -180,7 +101,7 @@ def _take(phrase: Phrase, noun: Noun, texts: list[str], items: list[Item]) -> No
         items.append(Item("pronoun", phrase.text))
     elif noun.conjoined:
         _join(phrase, noun, items)
-    elif _is_length(noun, texts):
+    elif is_length(noun, texts):
         _measure(phrase, noun, items)
     elif noun.head == "container":
         _arrangement(phrase, noun, items)
@@ -193,7 +114,7 @@ def _take(phrase: Phrase, noun: Noun, texts: list[str], items: list[Item]) -> No
 
 
 def _expand(phrase: Phrase, items: list[Item]) -> None:
-    """What a phrase says; of several commands in one, the last tells where to."""
+    """Take in what a phrase says; of several commands in one, the last tells where to."""
     commands = [place for place, child in enumerate(phrase.children) if isinstance(child, Phrase) and _commands(child)]
     start = commands[-1] if len(commands) > 0 and any(
         isinstance(c, Phrase) and c.tag == "VP" for c in phrase.children[: commands[-1]]) else 0  # fmt: skip
@@ -206,24 +127,10 @@ def _expand(phrase: Phrase, items: list[Item]) -> None:
 
 def _join(phrase: Phrase, noun: Noun, items: list[Item]) -> None:
     parts = [read_noun(part) for part in noun.conjoined]
-    if all(part.head in ("block", "container") and not _is_length(part, part.text.split()) for part in parts):
+    if all(part.head in ("block", "container") and not is_length(part, part.text.split()) for part in parts):
         items.append(Item("thing", phrase.text, noun=noun))
     else:
         _expand(phrase, items)
-
-
-def _is_length(noun: Noun, texts: list[str]) -> bool:
-    """Whether a noun phrase may be a distance: "two spaces", "half a block", "one row"."""
-    bare = not (noun.colors or noun.modifiers or noun.ordinals or noun.distance or noun.lone or noun.other)
-    counted = any(number(text) is not None for text in texts) or texts[:1] in (["a"], ["an"])
-    if not (bare and counted) or _DEFINITE & set(texts):
-        return False
-    if noun.head == "measure" or noun.head == "other":
-        return noun.head == "measure" or all(number(text) is not None for text in texts)
-    if noun.head == "container":
-        return texts[-1] in _LENGTHS and not noun.directions and not noun.middle and texts[0] not in ("a", "an")
-    numbered = any(number(text) is not None for text in texts)
-    return noun.head == "block" and numbered and not noun.directions and not noun.middle
 
 
 def _measure(phrase: Phrase, noun: Noun, items: list[Item]) -> None:
@@ -238,7 +145,7 @@ def _measure(phrase: Phrase, noun: Noun, items: list[Item]) -> None:
         return
     for leaf in phrase.leaves:
         item = _word(leaf)
-        if item.kind == "word" and (leaf.text in _LENGTHS or w.is_block(leaf.text)):
+        if item.kind == "word" and (leaf.text in LINES or w.is_block(leaf.text)):
             item = Item("length", leaf.text)
         elif leaf.text in ("a", "an") and not any(number(text) for text in texts):
             item = Item("number", leaf.text, 1.0)
@@ -268,11 +175,11 @@ def _arrangement(phrase: Phrase, noun: Noun, items: list[Item]) -> None:
 
 
 def _counts_stories(phrase: Phrase) -> bool:
-    """Whether a noun phrase is a story itself, not a building of so many: "the third story", "three stories"."""
+    """Tells whether a noun phrase is a story itself, not a building of so many: "the third story", "three stories"."""
     while phrase.phrases and phrase.children[0] is phrase.phrases[0]:
         phrase = phrase.phrases[0]
     words = [word.text for word in phrase.words]
-    return bool(words) and words[-1] in STORIES
+    return bool(words) and is_story(words[-1])
 
 
 def _part(phrase: Phrase, noun: Noun, items: list[Item]) -> None:

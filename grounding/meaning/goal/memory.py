@@ -1,11 +1,11 @@
-"""What was said of a destination and is not used up yet, and the clues that came of it."""
+"""A memory of what was said of a destination and is not used up yet, and the clues that came of it."""
 
 from __future__ import annotations
 
 from dataclasses import replace
 
 from grounding.meaning.goal.clues import Clue, Offset
-from grounding.meaning.goal.vocabulary import LINKS
+from grounding.meaning.goal.steering import LINKS
 from grounding.meaning.nouns import Noun
 
 
@@ -50,11 +50,11 @@ class Memory:
         self.waiting: tuple[Noun, ...] = ()
 
     def measured(self) -> bool:
-        """Whether the last direction has its length."""
+        """Tells whether the last direction has its length."""
         return bool(self.offsets) and self.offsets[-1].steps is not None
 
     def lead_from(self, noun: Noun, strict: bool) -> None:
-        """Directions from one thing belong together, also where it is named twice."""
+        """Let directions lead from a thing: those from one belong together, also where it is named twice."""
         start = _restart(self.offsets)
         bound, self.offsets = self.offsets[start:], self.offsets[:start]
         self.flush()
@@ -66,13 +66,13 @@ class Memory:
             self.clues.append(Clue("offset", (noun,), offsets, strict=strict))
 
     def binds(self) -> bool:
-        """Whether directions that were named lead from what is named now."""
+        """Tells whether directions that were named lead from what is named now."""
         if not self.offsets:
             return False
         return set(self.since) <= LINKS and (bool({"of", "from", "than"} & set(self.since)) or self.offsets[-1].binding)
 
     def named_last(self) -> Noun | None:
-        """What was named last, not a place of the table."""
+        """The noun that was named last, not a place of the table."""
         nouns = [clue.nouns[-1] for clue in self.clues if clue.nouns and clue.nouns[-1].head != "place"]
         return nouns[-1] if nouns else None
 
@@ -82,7 +82,7 @@ class Memory:
         self.strict, self.owner, self.face, self.since = False, None, (), []
 
     def flush(self) -> None:
-        """Directions that nothing followed go on from what was said before, or from where it stands."""
+        """Let directions that nothing followed go on from what was said before, or from where it stands."""
         if not self.offsets:
             return
         offsets, self.offsets = tuple(self.offsets), []
@@ -92,7 +92,7 @@ class Memory:
             self.clues.append(Clue("own", (), offsets))
         elif last.relation in ("own", "offset", "place"):
             offsets = tuple(replace(offset, counted="way") for offset in offsets)
-            self.clues[-1] = replace(last, offsets=(*last.offsets, *offsets))
+            self.clues[-1] = last.going(*offsets)
         elif last.relation in ("near", "touch"):
             self.clues[-1] = replace(
                 last, relation="offset", offsets=offsets, strict=last.relation == "touch" or last.strict
@@ -116,7 +116,7 @@ class Memory:
 
 
 def _restart(offsets: list[Offset]) -> int:
-    """Where directions begin again along an axis: "down and to the left, half a space right of X" is two ways."""
+    """The place where directions begin anew: "down and to the left, half a space right of X" is two ways."""
     for place in range(len(offsets) - 1, 0, -1):
         later = {_AXIS[name] for offset in offsets[place:] for name in offset.names}
         if later & {_AXIS[name] for name in offsets[place - 1].names}:

@@ -5,15 +5,10 @@ from __future__ import annotations
 from itertools import pairwise
 
 from grounding.language.tree import Phrase, Word
+from grounding.lexicon.whereto import metres
 
-_METRES = {
-    **dict.fromkeys("cm cms centimeter centimeters centimetre centimetres".split(), 0.01),
-    **dict.fromkeys("mm millimeter millimeters millimetre millimetres".split(), 0.001),
-    **dict.fromkeys("m meter meters metre metres".split(), 1.0),
-    **dict.fromkeys("inch inches".split(), 0.0254),
-}
 _SPACE = 1.19
-"""How far a space leads from where something stands [edges], as the maps of destinations have it."""
+"""The length of a space from where something stands [edges], as the maps of destinations have it."""
 
 
 def in_spaces(phrase: Phrase, edge: float) -> Phrase:
@@ -26,9 +21,9 @@ def in_spaces(phrase: Phrase, edge: float) -> Phrase:
     leaves = phrase.leaves
     changed: dict[int, Word] = {}
     for number, unit in pairwise(leaves):
-        value = _value(number.text)
-        if value is not None and unit.text in _METRES:
-            steps = value * _METRES[unit.text] / (_SPACE * edge)
+        value, length = _value(number.text), metres(unit.text)
+        if value is not None and length is not None:
+            steps = value * length / (_SPACE * edge)
             changed[number.index] = Word(f"{steps:.2f}", "CD", number.index)
             changed[unit.index] = Word("spaces", "NNS", unit.index)
     return _with(phrase, changed) if changed else phrase

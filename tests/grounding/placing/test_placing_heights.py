@@ -15,6 +15,8 @@ from grounding.world import World, load_world, make_object
 from grounding.world.scene import Scene
 
 TABLE = load_world(models.SCENES / "four.json")["table"]
+WEIGHTS = {**EVEN, "parse": 0.5}
+"""Equal weights, and the likelier of two parses is the likelier one."""
 HEIGHT = 0.736  # of the centre of a block on the table
 EDGE = 0.05
 
@@ -38,7 +40,7 @@ def parsed(text):
 
 
 def believed(text, world):
-    return believe(read(parsed(text), Scene(Layout(world))), EVEN)
+    return believe(read(parsed(text), Scene(Layout(world)), (), WEIGHTS), WEIGHTS)
 
 
 def told(text, world, moved="red"):

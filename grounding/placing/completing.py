@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from grounding.placing.maps import gaussian
-from grounding.placing.places import PITCH, Plan
+from grounding.lexicon.degrees import gaussian
 from grounding.meaning.nouns import Noun
+from grounding.placing.floor_plan import PITCH, FloorPlan
 from grounding.world import Array
 
 FAR = 4.0  # members of a line lie no farther apart [edges]
@@ -16,8 +16,8 @@ FADING = 2.0  # neighbours that are farther apart look less like a line [edges]
 _MOST = 24
 
 
-def completing(noun: Noun, source: int, plan: Plan) -> tuple[Array, Array]:
-    """Where a block completes an arrangement.
+def completing(noun: Noun, source: int, plan: FloorPlan) -> tuple[Array, Array]:
+    """Find where a block completes an arrangement.
 
     Args:
         noun: what comes about: "a row of three", "a diagonal", "a square".
@@ -66,7 +66,7 @@ def _corners(standing: Array) -> tuple[Array, Array]:
 
 
 def shape_map(points: Array, targets: Array, worth: Array) -> Array:
-    """How well points (p, 2) complete an arrangement, by `completing`."""
+    """Measure how well points (p, 2) complete an arrangement, by `completing`."""
     if not len(targets):
         return np.ones(len(points))
     square = ((points[:, None] - targets[None]) ** 2).sum(axis=2)

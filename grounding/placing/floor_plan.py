@@ -15,7 +15,7 @@ _CELLS = 600  # of the grid, about
 _FINE = 0.5  # the grid's step, at least [edges]
 _REACH = 4.0  # the grid's border around the objects where there is no table [edges]
 _CELL, _FACE, _DIAGONAL, _APART, _EXACT, _TOP = 1.0, 5.0, 1.6, 2.0, 4.0, 20.0
-"""How often people choose such places: half of what they move comes to stand on or right beside something."""
+"""Weights of how often people choose such places: half of what they move comes to stand on or beside something."""
 _FACES = np.array([[1.0, 0], [-1, 0], [0, 1], [0, -1]])
 _CORNERS = np.array([[1.0, 1], [1, -1], [-1, 1], [-1, -1]])
 _AROUND = np.concatenate([_FACES, _CORNERS, 2 * _FACES]) * PITCH
@@ -38,7 +38,7 @@ class Places:
 
 
 @dataclass(frozen=True, eq=False)
-class Plan:
+class FloorPlan:
     """The floor plan as a viewer sees it, in edges.
 
     Attributes:
@@ -72,10 +72,10 @@ class Plan:
         return np.asarray(point @ self.axes * self.edge)
 
 
-_plans: WeakKeyDictionary[Scene, dict[str, Plan]] = WeakKeyDictionary()
+_plans: WeakKeyDictionary[Scene, dict[str, FloorPlan]] = WeakKeyDictionary()
 
 
-def lay_out(scene: Scene, view: str) -> Plan:
+def lay_out(scene: Scene, view: str) -> FloorPlan:
     """The floor plan as somebody sees it; it is kept as long as the scene."""
     plans = _plans.setdefault(scene, {})
     if view not in plans:
@@ -83,7 +83,7 @@ def lay_out(scene: Scene, view: str) -> Plan:
     return plans[view]
 
 
-def find_places(plan: Plan, scene: Scene, source: int, exact: Array) -> Places:
+def find_places(plan: FloorPlan, scene: Scene, source: int, exact: Array) -> Places:
     """All candidates.
 
     Args:
@@ -106,7 +106,7 @@ def find_places(plan: Plan, scene: Scene, source: int, exact: Array) -> Places:
     )
 
 
-def _draw(scene: Scene, view: str) -> Plan:
+def _draw(scene: Scene, view: str) -> FloorPlan:
     axes = np.array([scene.direction("right", view), scene.direction("back", view)])
     points = scene.xy @ axes.T / scene.edge
     table = next((o for o in scene.layout.world.objects if o.type == "table"), None)
@@ -128,7 +128,7 @@ def _draw(scene: Scene, view: str) -> Plan:
     level = np.ones(scene.n, dtype=int)
     for tower in scene.towers:
         level[list(tower)] = np.arange(1, len(tower) + 1)
-    return Plan(points, reach, level, axes, scene.edge, centre, half, spots, prior, around, taken)
+    return FloorPlan(points, reach, level, axes, scene.edge, centre, half, spots, prior, around, taken)
 
 
 def _grid(centre: Array, half: Array) -> Array:
@@ -139,12 +139,12 @@ def _grid(centre: Array, half: Array) -> Array:
 
 
 def _inside(points: Array, centre: Array, half: Array) -> np.ndarray:
-    """Which points (p, 2) are on the table with a whole block."""
+    """Tells which points (p, 2) are on the table with a whole block."""
     off = np.abs(points - centre) - half
     return np.asarray(np.maximum(off[:, 0], off[:, 1]) <= -0.5 + 1e-6)
 
 
 def _overlaps(points: Array, standing: Array, reach: Array) -> np.ndarray:
-    """Which of the objects (n, 2) that reach so far, (n,), a block at points (p, 2) would overlap, shape (n, p)."""
+    """Tells which objects (n, 2) that reach so far, (n,), a block at points (p, 2) would overlap, shape (n, p)."""
     off = [np.abs(standing[:, k][:, None] - points[:, k]) for k in range(2)]
     return np.asarray(np.maximum(off[0], off[1]) < reach[:, None] - 1e-6)

@@ -1,4 +1,4 @@
-"""Where a text asks something to be put: what most of its likeliest readings agree on."""
+"""The destination of a text: the place that most of its likeliest readings agree on."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from grounding.lexicon import words as w
 from grounding.meaning.goal.units import in_spaces
 from grounding.model.belief import Belief, Reading
 from grounding.model.phrases import PhraseReader
-from grounding.placing.spots import Spot, agreed, find_spot, leads_off
+from grounding.placing.spots import FoundSpot, agreed, find_spot, leads_off
 from grounding.result import Destination
 from grounding.world.scene import Scene
 
@@ -15,7 +15,7 @@ HEARD = 3  # readings that are asked where to
 
 
 def destination(belief: Belief, objects: tuple[str, ...]) -> Destination | None:
-    """Where the likeliest readings of a text bring objects: the place that most of them agree on.
+    """Find where the likeliest readings of a text bring objects: the place that most of them agree on.
 
     Args:
         belief: of the text.
@@ -31,7 +31,7 @@ def destination(belief: Belief, objects: tuple[str, ...]) -> Destination | None:
     scene = readings[0].evaluator.scene
     if len(objects) > 1 and not any(_leads(piece) for reading in readings for piece in reading.told.destination):
         return None  # "stack the two red blocks": on what?
-    found: dict[tuple[str, tuple[Phrase, ...]], tuple[Spot, float]] = {}
+    found: dict[tuple[str, tuple[Phrase, ...]], tuple[FoundSpot, float]] = {}
     for reading, share in zip(readings, belief.shares, strict=False):
         said = reading.evaluator.view, tuple(reading.told.destination)
         if said in found:
@@ -47,7 +47,7 @@ def destination(belief: Belief, objects: tuple[str, ...]) -> Destination | None:
 
 
 def leads_off_table(belief: Belief, objects: tuple[str, ...]) -> bool:
-    """Whether the likeliest reading of a text moves an object so far that it leaves the table."""
+    """Tells whether the likeliest reading of a text moves an object so far that it leaves the table."""
     source = _source(belief, objects)
     if source is None or len(objects) != 1:
         return False
@@ -62,7 +62,7 @@ def _source(belief: Belief, objects: tuple[str, ...]) -> int | None:
     return belief.readings[0].evaluator.scene.layout.index.get(objects[0])
 
 
-def _find(reading: Reading, source: int) -> Spot | None:
+def _find(reading: Reading, source: int) -> FoundSpot | None:
     told = reading.told
     whole = told.whole if told.kind == "place" else None
     if whole is not None:
@@ -81,11 +81,11 @@ def _pieces(reading: Reading) -> list[Phrase]:
 
 
 def _leads(piece: Phrase) -> bool:
-    """Whether a piece of a destination tells more than the verb does."""
+    """Tells whether a piece of a destination tells more than the verb does."""
     return bool(piece.phrases) or any(w.directions(leaf.text) for leaf in piece.leaves) or piece.tag != "VP"
 
 
-def _stated(spot: Spot, source: int, scene: Scene) -> Destination:
+def _stated(spot: FoundSpot, source: int, scene: Scene) -> Destination:
     """A spot as a destination: on what it is on, or on the table."""
     half = float(scene.layout.things[source].size[2]) / 2
     names = tuple(scene.layout.ids[i] for i in spot.reference)
