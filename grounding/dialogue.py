@@ -12,10 +12,11 @@ from grounding.forbidding import forbidden
 from grounding.geometry.layout import Layout
 from grounding.graded.belief import GradedBelief
 from grounding.graded.discourse import clauses_of
+from grounding.graded.phrases import by_answer
 from grounding.language.tree import Phrase
 from grounding.literal import SILENT, LiteralBelief
 from grounding.missing import unknown_named, unknown_things, whats_missing
-from grounding.phrases import by_answer, by_factors
+from grounding.phrases import by_factors
 from grounding.pooling import Pooled, pool
 from grounding.questions import question, where, which_place
 from grounding.readings import Reading

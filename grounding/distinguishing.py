@@ -1,6 +1,6 @@
 """Descriptions that tell things apart: of many that could be said, the shortest that the reader itself understands.
 
-Every candidate is a noun phrase as a tree. The graded reader reads it as if a person had said it, and its weights tell
+Every candidate is a noun phrase as a tree. It is read as if a person had said it, and the weights of what it means tell
 how likely it leads to the thing that is to be described: a question made of such descriptions can be answered in its
 own words.
 """
@@ -13,8 +13,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from grounding.describing import name_object
-from grounding.graded.reader import Reader
 from grounding.language.tree import Phrase, Word
+from grounding.model.cases import Weights
+from grounding.model.evaluator import EVEN, Evaluator
+from grounding.model.phrases import PhraseReader
 from grounding.numbers import spelled
 from grounding.world import Array
 from grounding.world.scene import ROBOT, SPEAKER, Scene
@@ -22,6 +24,7 @@ from grounding.world.scene import ROBOT, SPEAKER, Scene
 CLEAR = 0.75  # what leads to its thing with such a share of all weight is understood
 AMONG = 0.9  # and with such a share among the things in question
 AMBIGUOUS = 0.5  # what leads to its thing with no greater share is not said
+DOUBT = 0.2  # what a description costs that leads to other things alone
 HOLDS = 0.3  # what holds to a lesser degree is not said
 _LANDMARKS = 8
 _LARGEST = 12  # arrangements of more are not counted at sight
@@ -66,12 +69,13 @@ class Describer:
 
     Args:
         scene: the world.
+        weights: of features.
     """
 
-    def __init__(self, scene: Scene) -> None:
+    def __init__(self, scene: Scene, weights: Weights = EVEN) -> None:
         self.scene = scene
         views = [ROBOT] if scene.layout.world.speaker is None else [ROBOT, SPEAKER]
-        self._readers = [Reader(scene, view) for view in views]
+        self._readers = [PhraseReader(Evaluator(scene, view, weights=weights)) for view in views]
         self._worth: dict[str, Array] = {}
         self._named: dict[int, str] = {}
 
@@ -100,7 +104,9 @@ class Describer:
                     share = held / max(rivalled, 0.7 * total)
                     vague = Description(_said(candidate.tree.text), candidate.noun, 1.0)
                 continue
-            best = Description(_said(candidate.tree.text), candidate.noun, candidate.cost + (1 - held / total))
+            cost = candidate.cost + DOUBT * (1 - held / total)
+            if best is None or cost < best.cost:
+                best = Description(_said(candidate.tree.text), candidate.noun, cost)
         if best is not None:
             return best
         item = layout.things[index]
@@ -113,7 +119,8 @@ class Describer:
         """How well a phrase leads to every thing, by the view that understands it worst, shape (n,)."""
         text = tree.text
         if text not in self._worth:
-            self._worth[text] = np.min([reader.value(tree).weights for reader in self._readers], axis=0)
+            found = [reader.phrase(tree).denotation for reader in self._readers]
+            self._worth[text] = np.min([denotation.weights * denotation.truth for denotation in found], axis=0)
         return self._worth[text]
 
     def _candidates(self, index: int) -> Iterator[_Candidate]:

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from itertools import pairwise
 
-from grounding.graded.discourse import HANDLING
 from grounding.language.tree import Phrase
+from grounding.meaning.discourse.verbs import HANDLING
 
 _NEGATIONS = frozenset(("not", "n't", "never", "don't", "dont"))
 _NONE = frozenset(("0", "zero", "no"))

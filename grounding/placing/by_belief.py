@@ -6,7 +6,7 @@ from grounding.language.tree import Phrase
 from grounding.lexicon import words as w
 from grounding.meaning.goal.units import in_spaces
 from grounding.model.belief import Belief, Reading
-from grounding.model.phrases import PhraseReader
+from grounding.model.phrases import reader_of
 from grounding.placing.spots import FoundSpot, agreed, find_spot, leads_off
 from grounding.result import Destination
 from grounding.world.scene import Scene
@@ -52,7 +52,7 @@ def leads_off_table(belief: Belief, objects: tuple[str, ...]) -> bool:
     if source is None or len(objects) != 1:
         return False
     reading = belief.readings[0]
-    return leads_off(_pieces(reading), source, _reader(reading))
+    return leads_off(_pieces(reading), source, reader_of(reading))
 
 
 def _source(belief: Belief, objects: tuple[str, ...]) -> int | None:
@@ -67,13 +67,7 @@ def _find(reading: Reading, source: int) -> FoundSpot | None:
     whole = told.whole if told.kind == "place" else None
     if whole is not None:
         whole = in_spaces(whole, reading.evaluator.scene.edge)
-    return find_spot(_pieces(reading), source, _reader(reading), whole)
-
-
-def _reader(reading: Reading) -> PhraseReader:
-    """A reader of the phrases of a destination, for which "it" is what was spoken of before the command."""
-    told = reading.told
-    return PhraseReader(reading.evaluator, told.mentioned, several=told.mentioned is not None and told.plural)
+    return find_spot(_pieces(reading), source, reader_of(reading), whole)
 
 
 def _pieces(reading: Reading) -> list[Phrase]:
