@@ -1,4 +1,4 @@
-"""What a person answers to a question: one of the alternatives, a few of them, none, a place, or something else."""
+"""Answers of people to a question: one of the alternatives, a few of them, none, a place, or something else."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ _WORD = re.compile(r"[\w'-]+")
 
 @dataclass(frozen=True)
 class Answer:
-    """What an answer says about the alternatives.
+    """The choice that an answer makes among the alternatives.
 
     Attributes:
         kind: "chosen" (one of them, or with "both" several), "narrowed", "first" (the likeliest is to be asked for
@@ -60,7 +60,7 @@ def words_of(text: str) -> list[str]:
 
 
 def by_words(text: str, count: int, named: int) -> Answer | None:
-    """What yes, no and places in the list say; None where an answer has more to it.
+    """Read what yes, no and places in the list say; None where an answer has more to it.
 
     Args:
         text: the answer.
@@ -129,7 +129,7 @@ def _listed(told: Sequence[str], words: Sequence[str], named: int) -> int | None
 def by_description(
     parses: Sequence[Parse], scene: Scene, options: Sequence[Sequence[str]], weights: Weights = EVEN
 ) -> Answer:
-    """Which alternatives a description holds of, as it is said to tell them apart.
+    """Find the alternatives that a description holds of, as it is said to tell them apart.
 
     Args:
         parses: of the answer, the likeliest first.
@@ -166,7 +166,7 @@ class _Among(Evaluator):
         self.those = Referent(OBJECTS, plural=True)
 
     def denote(self, referent: Referent, base: Array | None = None, *, carrying: bool = False) -> Denotation:
-        """What a referent means."""
+        """Find what a referent means."""
         if referent is self.those:
             return Denotation(self.inside)
         return super().denote(referent, base, carrying=carrying)
@@ -224,6 +224,6 @@ def _singular(noun: Noun) -> Noun | None:
 
 
 def commands(parse: Parse) -> bool:
-    """Whether a text tells what to do, not only which one."""
+    """Tells whether a text says what to do, not only which one."""
     verbs = {word for kinds in HANDLING.values() for word in kinds} - {"want", "need", "moved", "put down"}
     return any(leaf.text in verbs and leaf.tag[:2] == "VB" for leaf in parse.tree.leaves)

@@ -179,13 +179,13 @@ def _lifted(clause: Phrase) -> Phrase:
 
 
 def _places(phrase: Phrase) -> bool:
-    """Whether a phrase sets something in relation to a thing."""
+    """Tells whether a phrase sets something in relation to a thing."""
     words = [word.text for word in phrase.words]
     return phrase.tag == "PP" and bool(words) and words != ["of"] and any(p.tag == "NP" for p in phrase.phrases)
 
 
 def _cut(phrase: Phrase, start: int, end: int) -> Phrase | None:
-    """What is left of a phrase between two positions of words, or None."""
+    """The part of a phrase between two positions of words, or None."""
     kept: list[Word | Phrase] = []
     for child in phrase.children:
         if isinstance(child, Word):

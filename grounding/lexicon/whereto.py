@@ -1,4 +1,4 @@
-"""What single words say in a destination: stacking, alignment, contact to come about, how far."""
+"""Single words and what they say in a destination: stacking, alignment, contact to come about, how far."""
 
 from __future__ import annotations
 
