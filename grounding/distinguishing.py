@@ -26,6 +26,7 @@ CLEAR = 0.75  # what leads to its thing with such a share of all weight is under
 AMONG = 0.9  # and with such a share among the things in question
 AMBIGUOUS = 0.5  # what leads to its thing with no greater share is not said
 DOUBT = 0.2  # what a description costs that leads to other things alone
+FAINT = 0.05  # things that a phrase means to a lesser degree are no rivals
 HOLDS = 0.3  # what holds to a lesser degree is not said
 _LANDMARKS = 8
 _LARGEST = 12  # arrangements of more are not counted at sight
@@ -94,14 +95,14 @@ class Describer:
             if best is not None and candidate.cost >= best.cost:
                 continue
             weights = self._weights(candidate.tree)
-            held, total = float(weights[index]), float(weights.sum())
-            rivalled = held + float(weights[rivals].sum())
+            held, likely = float(weights[index]), np.where(weights < FAINT, 0.0, weights)
+            total, rivalled = float(likely.sum()), held + float(likely[rivals].sum())
             if held < HOLDS or held < CLEAR * total or held < AMONG * rivalled:
                 if held >= HOLDS and held > share * max(rivalled, 0.7 * total):
                     share = held / max(rivalled, 0.7 * total)
                     vague = Description(_said(candidate.tree.text), candidate.noun, 1.0)
                 continue
-            cost = candidate.cost + DOUBT * (1 - held / total)
+            cost = candidate.cost + DOUBT * (1 - held / float(weights.sum()))
             if best is None or cost < best.cost:
                 best = Description(_said(candidate.tree.text), candidate.noun, cost)
         if best is not None:
