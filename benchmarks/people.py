@@ -26,10 +26,10 @@ from typing import Any
 
 import numpy as np
 
-from grounding.graded import words as w
-from grounding.graded.nouns import read_noun
 from grounding.grounder import Grounder, Understanding
 from grounding.language.tree import Phrase
+from grounding.lexicon import words as w
+from grounding.meaning.nouns import read_noun
 from grounding.result import Grounding
 from grounding.world import World, load_worlds
 

@@ -1,4 +1,4 @@
-"""What a person answers to a question: one of the alternatives, a few of them, none, a place, or something else."""
+"""Answers of people to a question: one of the alternatives, a few of them, none, a place, or something else."""
 
 from __future__ import annotations
 
@@ -8,13 +8,16 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from grounding.graded.discourse import HANDLING
-from grounding.graded.nouns import Noun, read_noun
-from grounding.graded.reader import Reader
 from grounding.language.lexicon import meanings
 from grounding.language.parser import Parse
 from grounding.language.tree import Phrase
+from grounding.meaning.discourse.verbs import HANDLING
+from grounding.meaning.nouns import Noun, read_noun
+from grounding.meaning.reader import Reader
+from grounding.meaning.referents import OBJECTS, Condition, Referent
 from grounding.missing import targets
+from grounding.model.cases import Denotation, Weights
+from grounding.model.evaluator import EVEN, Evaluator
 from grounding.symbols import LAST, Cardinal, ObjectColor, ObjectType, Ordinal
 from grounding.world import Array
 from grounding.world.scene import ROBOT, SPEAKER, Scene
@@ -35,7 +38,7 @@ _WORD = re.compile(r"[\w'-]+")
 
 @dataclass(frozen=True)
 class Answer:
-    """What an answer says about the alternatives.
+    """The choice that an answer makes among the alternatives.
 
     Attributes:
         kind: "chosen" (one of them, or with "both" several), "narrowed", "first" (the likeliest is to be asked for
@@ -57,7 +60,7 @@ def words_of(text: str) -> list[str]:
 
 
 def by_words(text: str, count: int, named: int) -> Answer | None:
-    """What yes, no and places in the list say; None where an answer has more to it.
+    """Read what yes, no and places in the list say; None where an answer has more to it.
 
     Args:
         text: the answer.
@@ -123,13 +126,16 @@ def _listed(told: Sequence[str], words: Sequence[str], named: int) -> int | None
     return place if 0 <= place < named else None
 
 
-def by_description(parses: Sequence[Parse], scene: Scene, options: Sequence[Sequence[str]]) -> Answer:
-    """Which alternatives a description holds of, as it is said to tell them apart.
+def by_description(
+    parses: Sequence[Parse], scene: Scene, options: Sequence[Sequence[str]], weights: Weights = EVEN
+) -> Answer:
+    """Find the alternatives that a description holds of, as it is said to tell them apart.
 
     Args:
         parses: of the answer, the likeliest first.
         scene: the world.
         options: the ids of each alternative.
+        weights: of features.
     """
     inside = np.zeros(scene.n)
     for names in options:
@@ -138,18 +144,49 @@ def by_description(parses: Sequence[Parse], scene: Scene, options: Sequence[Sequ
     best = Answer("other")
     for view in views:
         for parse in parses[:2]:
-            found = _told(parse, Reader(scene, view), inside, options)
+            found = _told(parse, _Among(scene, view, weights, inside), options)
             if (found.kind != "other", found.probability) > (best.kind != "other", best.probability):
                 best = found
     return best
 
 
-def _told(parse: Parse, reader: Reader, inside: Array, options: Sequence[Sequence[str]]) -> Answer:
+class _Among(Evaluator):
+    """Evaluates what is said of some objects: "the left one" of two.
+
+    Args:
+        scene: the world.
+        view: whose left is meant where nobody is named.
+        weights: of features.
+        inside: 1 for the objects and 0 for others, shape (n,).
+    """
+
+    def __init__(self, scene: Scene, view: str, weights: Weights, inside: Array) -> None:
+        super().__init__(scene, view, weights=weights)
+        self.inside = inside
+        self.those = Referent(OBJECTS, plural=True)
+
+    def denote(self, referent: Referent, base: Array | None = None, *, carrying: bool = False) -> Denotation:
+        """Find what a referent means."""
+        if referent is self.those:
+            return Denotation(self.inside)
+        return super().denote(referent, base, carrying=carrying)
+
+    def held(self, noun: Noun) -> Array:
+        """Measure how well every one of the objects is what a noun means, shape (n,), in [0, 1]."""
+        referent = Reader().refer(noun).having(Condition("those", (self.those,), said="told"))
+        found = self.denote(referent)
+        inside = found.weights * self.inside
+        truth = max((float((case.truth * self.inside).max(initial=0.0)) for case in found.cases if case.masks is None),
+                    default=found.truth)  # fmt: skip
+        return np.asarray(inside / max(float(inside.max(initial=0.0)), 1e-9) * truth)
+
+
+def _told(parse: Parse, among: _Among, options: Sequence[Sequence[str]]) -> Answer:
     noun = _described(parse.tree)
-    if noun is None or not inside.any():
+    if noun is None or not among.inside.any():
         return Answer("other")
-    weights = reader.within(noun, inside)
-    index = reader.scene.layout.index
+    weights = among.held(noun)
+    index = among.scene.layout.index
     held = np.array([min((weights[index[name]] for name in names if name in index), default=0.0) for names in options])
     best, total = float(held.max(initial=0.0)), float(held.sum())
     if best < TRUE:
@@ -187,6 +224,6 @@ def _singular(noun: Noun) -> Noun | None:
 
 
 def commands(parse: Parse) -> bool:
-    """Whether a text tells what to do, not only which one."""
+    """Tells whether a text says what to do, not only which one."""
     verbs = {word for kinds in HANDLING.values() for word in kinds} - {"want", "need", "moved", "put down"}
     return any(leaf.text in verbs and leaf.tag[:2] == "VB" for leaf in parse.tree.leaves)

@@ -1,6 +1,6 @@
 """Descriptions that tell things apart: of many that could be said, the shortest that the reader itself understands.
 
-Every candidate is a noun phrase as a tree. The graded reader reads it as if a person had said it, and its weights tell
+Every candidate is a noun phrase as a tree. It is read as if a person had said it, and the weights of what it means tell
 how likely it leads to the thing that is to be described: a question made of such descriptions can be answered in its
 own words.
 """
@@ -12,9 +12,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from grounding.built_phrases import modified, modifier, noun_phrase
 from grounding.describing import name_object
-from grounding.graded.reader import Reader
 from grounding.language.tree import Phrase, Word
+from grounding.model.cases import Weights
+from grounding.model.evaluator import EVEN, Evaluator
+from grounding.model.phrases import PhraseReader
 from grounding.numbers import spelled
 from grounding.world import Array
 from grounding.world.scene import ROBOT, SPEAKER, Scene
@@ -22,17 +25,15 @@ from grounding.world.scene import ROBOT, SPEAKER, Scene
 CLEAR = 0.75  # what leads to its thing with such a share of all weight is understood
 AMONG = 0.9  # and with such a share among the things in question
 AMBIGUOUS = 0.5  # what leads to its thing with no greater share is not said
+DOUBT = 0.2  # what a description costs that leads to other things alone
+FAINT = 0.05  # things that a phrase means to a lesser degree are no rivals
 HOLDS = 0.3  # what holds to a lesser degree is not said
 _LANDMARKS = 8
 _LARGEST = 12  # arrangements of more are not counted at sight
 _NEAR = 3.0  # a thing is described by others at most so many edges away
 _SIDES = {"left": "on the left", "right": "on the right", "front": "at the front", "back": "at the back"}
 _RELATIONS = ("behind", "in front of", "to the left of", "to the right of", "next to")
-_TAGS = {"the": "DT", "a": "DT", "of": "IN", "to": "TO", "on": "IN", "in": "IN", "at": "IN", "next": "JJ",
-         "behind": "IN", "from": "IN", "under": "IN", "me": "PRP", "you": "PRP", "my": "PRP$",
-         "your": "PRP$"}  # fmt: skip
 _SWAPPED = {"me": "you", "you": "me", "my": "your", "your": "my"}
-_NOUNS = frozenset("left right front back top bottom middle table row column tower circle group corner side".split())
 
 
 @dataclass(frozen=True)
@@ -66,12 +67,13 @@ class Describer:
 
     Args:
         scene: the world.
+        weights: of features.
     """
 
-    def __init__(self, scene: Scene) -> None:
+    def __init__(self, scene: Scene, weights: Weights = EVEN) -> None:
         self.scene = scene
         views = [ROBOT] if scene.layout.world.speaker is None else [ROBOT, SPEAKER]
-        self._readers = [Reader(scene, view) for view in views]
+        self._readers = [PhraseReader(Evaluator(scene, view, weights=weights)) for view in views]
         self._worth: dict[str, Array] = {}
         self._named: dict[int, str] = {}
 
@@ -93,14 +95,16 @@ class Describer:
             if best is not None and candidate.cost >= best.cost:
                 continue
             weights = self._weights(candidate.tree)
-            held, total = float(weights[index]), float(weights.sum())
-            rivalled = held + float(weights[rivals].sum())
+            held, likely = float(weights[index]), np.where(weights < FAINT, 0.0, weights)
+            total, rivalled = float(likely.sum()), held + float(likely[rivals].sum())
             if held < HOLDS or held < CLEAR * total or held < AMONG * rivalled:
                 if held >= HOLDS and held > share * max(rivalled, 0.7 * total):
                     share = held / max(rivalled, 0.7 * total)
                     vague = Description(_said(candidate.tree.text), candidate.noun, 1.0)
                 continue
-            best = Description(_said(candidate.tree.text), candidate.noun, candidate.cost + (1 - held / total))
+            cost = candidate.cost + DOUBT * (1 - held / float(weights.sum()))
+            if best is None or cost < best.cost:
+                best = Description(_said(candidate.tree.text), candidate.noun, cost)
         if best is not None:
             return best
         item = layout.things[index]
@@ -110,10 +114,11 @@ class Describer:
         return Description(text, next((n for n in (f"{item.color} {item.type}", item.type) if n in text), ""))
 
     def _weights(self, tree: Phrase) -> Array:
-        """How well a phrase leads to every thing, by the view that understands it worst, shape (n,)."""
+        """Measure how well a phrase leads to every thing, by the view that understands it worst, shape (n,)."""
         text = tree.text
         if text not in self._worth:
-            self._worth[text] = np.min([reader.value(tree).weights for reader in self._readers], axis=0)
+            found = [reader.phrase(tree).denotation for reader in self._readers]
+            self._worth[text] = np.min([denotation.weights * denotation.truth for denotation in found], axis=0)
         return self._worth[text]
 
     def _candidates(self, index: int) -> Iterator[_Candidate]:
@@ -122,17 +127,17 @@ class Describer:
         item = layout.things[index]
         coloured = len(layout.colors) > 1 and item.color != "unknown"
         noun = f"{item.color} {item.type}" if coloured else item.type
-        yield _Candidate(_base(f"the {noun}"), noun, 0.0)
+        yield _Candidate(noun_phrase(f"the {noun}"), noun, 0.0)
         for cost, words in self._extremes():
-            yield _Candidate(_base(f"the {words} {noun}"), noun, cost)
-        bare = _base(f"the {noun}")
+            yield _Candidate(noun_phrase(f"the {words} {noun}"), noun, cost)
+        bare = noun_phrase(f"the {noun}")
         for cost, words in self._places(index):
-            yield _Candidate(_modified(bare, _phrase(words)), noun, cost)
-        for cost, modifier in self._relations(index):
-            yield _Candidate(_modified(bare, modifier), noun, cost)
+            yield _Candidate(modified(bare, modifier(words)), noun, cost)
+        for cost, relation in self._relations(index):
+            yield _Candidate(modified(bare, relation), noun, cost)
         yield from self._within(index, noun)
         for cost, words in self._ordinals():
-            yield _Candidate(_base(f"the {words} {noun}"), noun, cost)
+            yield _Candidate(noun_phrase(f"the {words} {noun}"), noun, cost)
 
     def _extremes(self) -> Iterator[tuple[float, str]]:
         if len(self._readers) == 1:
@@ -170,14 +175,14 @@ class Describer:
                 continue
             if stacked[other]:
                 words = ("on top of", "on") if scene.z[index] > scene.z[other] else ("under",)
-                yield from ((0.08, _phrase(word, reference)) for word in words)
+                yield from ((0.08, modifier(word, reference)) for word in words)
             else:
-                yield from ((0.15, _phrase(word, reference)) for word in relations)
+                yield from ((0.15, modifier(word, reference)) for word in relations)
         for outside, name in self._arrangements(index):
             if outside:
-                yield from ((0.14 + 0.05 * len(name.phrases), _phrase(word, name)) for word in relations)
+                yield from ((0.14 + 0.05 * len(name.phrases), modifier(word, name)) for word in relations)
             else:
-                yield 0.12, _phrase("in", name)
+                yield 0.12, modifier("in", name)
 
     def _within(self, index: int, noun: str) -> Iterator[_Candidate]:
         """Places in an arrangement: "the middle block in the row of five"."""
@@ -187,7 +192,7 @@ class Describer:
             if not outside:
                 for place, word in enumerate(dict.fromkeys(words)):
                     cost = 0.2 + 0.02 * place + 0.05 * len(name.phrases)
-                    yield _Candidate(_modified(_base(f"the {word} {noun}"), _phrase("in", name)), noun, cost)
+                    yield _Candidate(modified(noun_phrase(f"the {word} {noun}"), modifier("in", name)), noun, cost)
 
     def _arrangements(self, index: int) -> list[tuple[bool, Phrase]]:
         """Arrangements that their kind or number singles out, and whether a thing is outside of them."""
@@ -197,11 +202,11 @@ class Describer:
             counts = [a.count for a in evident]
             for a in evident:
                 if counts.count(a.count) == 1 and a.count <= _LARGEST:
-                    outside, name = not a.mask >> index & 1, _base(f"the {kind}")
+                    outside, name = not a.mask >> index & 1, noun_phrase(f"the {kind}")
                     if len(evident) == 1:
                         found.append((outside, name))
                     members = Phrase("NP", (Word(spelled(a.count), "CD", 0), Word("blocks", "NNS", 1)))
-                    found.append((outside, _modified(name, _phrase("of", members))))
+                    found.append((outside, modified(name, modifier("of", members))))
         return found
 
     def _landmark(self, index: int) -> Phrase | None:
@@ -209,7 +214,7 @@ class Describer:
         item = self.scene.layout.things[index]
         if item.color == "unknown" or self.scene.layout.matching(item.type, item.color) != 1 << index:
             return None
-        return _base(f"the {item.color} {item.type}")
+        return noun_phrase(f"the {item.color} {item.type}")
 
 
 def listed_descriptions(descriptions: Sequence[Description], rest: int = 0) -> str:
@@ -235,37 +240,5 @@ def listed_descriptions(descriptions: Sequence[Description], rest: int = 0) -> s
 
 
 def _said(text: str) -> str:
-    """What a person would say, turned into what the robot says: "me" and "you" change places."""
+    """Words that a person would say, turned into what the robot says: "me" and "you" change places."""
     return " ".join(_SWAPPED.get(word, word) for word in text.split())
-
-
-def _word(text: str, place: int) -> Word:
-    return Word(text, _TAGS.get(text, "NN" if text in _NOUNS else "JJ"), place)
-
-
-def _base(text: str) -> Phrase:
-    """A noun phrase of words only; the last one is its noun."""
-    *before, noun = text.split()
-    return Phrase("NP", (*(_word(word, i) for i, word in enumerate(before)), Word(noun, "NN", len(before))))
-
-
-def _phrase(words: str, reference: Phrase | None = None) -> Phrase:
-    """A modifier: words before a reference, or before the noun phrase that its own last words are."""
-    texts = words.split()
-    if reference is None:
-        start = next((i for i, text in enumerate(texts) if text in ("the", "my", "your", "me", "you")), len(texts))
-        if texts[-3:-2] == ["of"] or "of" in texts[start:]:
-            place = texts.index("of", start)
-            inner = _phrase("of", _base(" ".join(texts[place + 1 :])))
-            reference = _modified(_base(" ".join(texts[start:place])), inner)
-        else:
-            reference = _base(" ".join(texts[start:]))
-        texts = texts[:start]
-    elif texts[-1] == "of" and len(texts) > 2:
-        inner = _base(" ".join(texts[1:-1]))
-        reference, texts = _modified(inner, _phrase("of", reference)), texts[:1]
-    return Phrase("PP", (*(_word(text, i) for i, text in enumerate(texts)), reference))
-
-
-def _modified(noun: Phrase, modifier: Phrase) -> Phrase:
-    return Phrase("NP", (noun, modifier))

@@ -1,12 +1,12 @@
-"""What a text says against acting: what is forbidden, or told of the past, must not be done."""
+"""Words that speak against acting: what is forbidden, or told of the past, must not be done."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from itertools import pairwise
 
-from grounding.graded.discourse import HANDLING
 from grounding.language.tree import Phrase
+from grounding.meaning.discourse.verbs import HANDLING
 
 _NEGATIONS = frozenset(("not", "n't", "never", "don't", "dont"))
 _NONE = frozenset(("0", "zero", "no"))
@@ -23,7 +23,7 @@ _CLAUSES = ("VP", "S")
 
 
 def forbidden(tree: Phrase) -> str | None:
-    """Why a text must not be acted upon, as a sentence for people; None where nothing speaks against it.
+    """The reason why a text must not be acted upon, as a sentence for people; None where nothing speaks against it.
 
     A negation forbids where it stands with the verb of a command ("do not touch the tower"); in what describes things
     ("the one that is not blue", "it is not near the tower") it tells which is meant.
@@ -54,7 +54,7 @@ def forbidden(tree: Phrase) -> str | None:
 
 
 def _nowhere(texts: Sequence[str]) -> str | None:
-    """Why a place that is named cannot be one."""
+    """The reason why a place that is named cannot be one."""
     if not _PLACING & set(texts):
         return None
     for before, text in pairwise(texts):
@@ -78,7 +78,7 @@ def _commands(tree: Phrase) -> list[Phrase]:
 
 
 def _denies(clause: Phrase) -> bool:
-    """Whether the verb of a clause is denied, not what the clause says of things."""
+    """Tells whether the verb of a clause is denied, not what the clause says of things."""
     for phrase in _verbal(clause):
         texts = [leaf.text for word in phrase.children for leaf in ([word] if not isinstance(word, Phrase) else
                  word.leaves if word.tag in ("PP", "ADVP", "PRT") and len(word.leaves) <= 2 else [])]  # fmt: skip
@@ -89,7 +89,7 @@ def _denies(clause: Phrase) -> bool:
 
 
 def _objects(clause: Phrase) -> list[Phrase]:
-    """What the verbs of a clause handle, or the clause itself where it is a noun phrase."""
+    """The things that the verbs of a clause handle, or the clause itself where it is a noun phrase."""
     if clause.tag == "NP":
         return [clause]
     return [child for phrase in _verbal(clause) if phrase.tag == "VP" for child in phrase.phrases if child.tag == "NP"]

@@ -281,8 +281,11 @@ class Grounder:
     def hear(self, parses: Sequence[Parse], scene: Scene, history: Sequence[str] = ()) -> Heard:
         """Read parses in every way, before it is weighed what is meant; for learning the weights as well."""
         graded = NO_BELIEF if "graded" in self.without else believe(parses, scene, history)
-        literal = SILENT if "literal" in self.without else believe_literally(parses, scene, graded, history)
-        found = () if "meanings" in self.without else read(parses, scene, history, self.weights)
+        meanings = read(parses, scene, history, self.weights)
+        literal = SILENT
+        if "literal" not in self.without:
+            literal = believe_literally(parses, scene, weigh(meanings, self.weights), history)
+        found = () if "meanings" in self.without else meanings
         return Heard(graded, literal, with_opinions(found, opinions_of(graded, literal), Evaluator(scene), Told()))
 
     def layout(self, world: World) -> Layout:

@@ -1,18 +1,22 @@
-"""What every phrase of an instruction was taken to mean, in agreement with the answer that was given."""
+"""The meaning of every phrase of an instruction, in agreement with the answer that was given."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 
-from grounding.graded.belief import GradedBelief, GradedReading
-from grounding.graded.nouns import read_noun
 from grounding.inference import Hypothesis
 from grounding.language.tree import Phrase
+from grounding.meaning.nouns import read_noun
+from grounding.meaning.referents import OBJECTS, SETS
+from grounding.model.belief import Belief
+from grounding.model.belief import Reading as Believed
+from grounding.model.phrases import reader_of
 from grounding.readings import Reading
 from grounding.result import GroundedAction, PhraseGrounding
 from grounding.symbols import Action, Container, ObjectSymbol, Region, Symbol, symbol_key
 
-_LIKELY = 0.1  # objects less likely for a phrase than this are not listed
+LIKELY = 0.3  # a reading agrees with an answer to whose objects it gives such a part of the best one's weight
+_LISTED = 0.1  # objects less likely for a phrase than this are not listed
 _MOST = 6
 
 Symbols = list[tuple[Symbol, float]]
@@ -34,19 +38,19 @@ def by_factors(reading: Reading, belief: Mapping[Action, float]) -> tuple[Phrase
             found.append((symbol, probability))
         return found
 
-    return _walked(reading, symbols_of)
+    return walked(reading, symbols_of)
 
 
-def by_answer(reading: Reading, graded: GradedBelief, actions: Sequence[GroundedAction]) -> tuple[PhraseGrounding, ...]:
-    """Every phrase with kinds, labels and numbers as the factors have them, and objects as the graded reading does.
+def by_answer(reading: Reading, belief: Belief, actions: Sequence[GroundedAction]) -> tuple[PhraseGrounding, ...]:
+    """Every phrase with kinds, labels and numbers as the factors have them, and objects as the answer does.
 
     Args:
         reading: by the factors, whose hypothesis speaks of other objects than the answer.
-        graded: the readings that the answer was found with.
+        belief: with which the answer was found; it has a reading.
         actions: the answer with its rivals, the likeliest first.
     """
-    told = _agreeing(graded, actions[0].objects)
-    named = dict(_weighed(reading.inference.tree, told))
+    agreeing = _agreeing(belief, actions[0].objects)
+    named = dict(_weighed(reading.inference.tree, agreeing))
     target = next(iter(named), None)
     shares = {a.objects[0]: a.probability for a in actions if len(a.objects) == 1}
     members = tuple(sorted(set(actions[0].objects)))  # nothing depends on the order of a set
@@ -68,10 +72,10 @@ def by_answer(reading: Reading, graded: GradedBelief, actions: Sequence[Grounded
                 found = dict.fromkeys(members, actions[0].probability) if len(members) > 1 else shares
             else:
                 found = _leading(found, references)
-            kept += [(ObjectSymbol(name), p) for name, p in found.items() if p >= _LIKELY or name in members][:_MOST]
+            kept += [(ObjectSymbol(name), p) for name, p in found.items() if p >= _LISTED or name in members][:_MOST]
         return kept
 
-    return _walked(reading, symbols_of)
+    return walked(reading, symbols_of)
 
 
 def _leading(found: dict[str, float], references: tuple[str, ...]) -> dict[str, float]:
@@ -84,35 +88,44 @@ def _leading(found: dict[str, float], references: tuple[str, ...]) -> dict[str, 
     return {**top, **{name: min(p, found[named[0]]) for name, p in found.items() if name not in top}}
 
 
-def _agreeing(graded: GradedBelief, objects: tuple[str, ...]) -> GradedReading:
-    """The likeliest graded reading that finds the answer likely."""
-    for reading in graded.readings:
-        index = reading.reader.scene.layout.index
-        share = sum(float(reading.weights[index[name]]) for name in objects if name in index)
-        if share > 0.3 * len(objects) * float(reading.weights.max(initial=0.0)):
+def _agreeing(belief: Belief, objects: tuple[str, ...]) -> Believed:
+    """The likeliest reading that finds the answer likely."""
+    for reading in belief.readings:
+        if reading.told.target is None:
+            continue
+        index = reading.evaluator.scene.layout.index
+        weights = reading.evaluator.denote(reading.told.target).weights
+        share = sum(float(weights[index[name]]) for name in objects if name in index)
+        if share > LIKELY * len(objects) * float(weights.max(initial=0.0)):
             return reading
-    return graded.readings[0]
+    return belief.readings[0]
 
 
-def _weighed(tree: Phrase, told: GradedReading) -> Sequence[tuple[Phrase, dict[str, float]]]:
+def _weighed(tree: Phrase, reading: Believed) -> Sequence[tuple[Phrase, dict[str, float]]]:
     """Noun phrases of things with their likely objects, in preorder."""
-    reader, found = told.reader, []
+    reader, found = reader_of(reading), []
+    ids = reader.scene.layout.ids
     for phrase in tree.preorder():
         if phrase.tag != "NP" or read_noun(phrase).head not in ("block", "container", "pronoun", "other"):
             continue
-        value = reader.value(phrase)
-        if value.kind not in ("objects", "sets") or not value.weights.any():
+        referent, denotation = reader.phrase(phrase)
+        weights = denotation.weights
+        if referent.sort not in (OBJECTS, SETS) or not weights.any():
             continue
-        weights = value.weights
-        if value.kind == "objects":
+        if referent.sort == OBJECTS:
             weights = weights / float(weights.sum())
         order = sorted(range(len(weights)), key=lambda i: -weights[i])
-        ids = reader.scene.layout.ids
-        found.append((phrase, {ids[i]: min(1.0, float(weights[i])) for i in order if weights[i] >= _LIKELY}))
+        found.append((phrase, {ids[i]: min(1.0, float(weights[i])) for i in order if weights[i] >= _LISTED}))
     return found
 
 
-def _walked(reading: Reading, symbols_of) -> tuple[PhraseGrounding, ...]:  # type: ignore[no-untyped-def]
+def walked(reading: Reading, symbols_of: Callable[[Phrase, Hypothesis], Symbols]) -> tuple[PhraseGrounding, ...]:
+    """Every phrase of a reading with its symbols, the likeliest first, in preorder.
+
+    Args:
+        reading: by the factors.
+        symbols_of: a phrase with its hypothesis.
+    """
     found: list[PhraseGrounding] = []
 
     def visit(phrase: Phrase, hypothesis: Hypothesis, depth: int) -> None:

@@ -10,13 +10,17 @@ from dataclasses import replace
 
 import numpy as np
 
-from grounding.graded.discourse import HANDLING, clauses_of, read_text
-from grounding.graded.nouns import Noun, read_noun
-from grounding.graded.reader import Reader
-from grounding.graded.words import is_between
 from grounding.language.parser import Parse
 from grounding.language.tree import Phrase, Word
-from grounding.world import Array
+from grounding.lexicon.words import is_between
+from grounding.meaning.discourse.clauses import clauses_of
+from grounding.meaning.discourse.following import read_text
+from grounding.meaning.discourse.verbs import HANDLING
+from grounding.meaning.nouns import Noun, read_noun
+from grounding.meaning.reader import Reader
+from grounding.meaning.reading import Context
+from grounding.model.cases import Denotation, Weights
+from grounding.model.evaluator import EVEN, Evaluator
 from grounding.world.scene import Scene
 
 Step = tuple[Parse, ...]
@@ -31,19 +35,23 @@ _POINTING = frozenset("that this those these".split())
 _NAMED = ("block", "container")
 
 
-def split(parses: Sequence[Parse], scene: Scene, history: Sequence[str] = ()) -> tuple[Step, ...]:
+def split(
+    parses: Sequence[Parse], scene: Scene, history: Sequence[str] = (), weights: Weights = EVEN
+) -> tuple[Step, ...]:
     """The steps of a text, in order; one where all that is said is about one thing to do.
 
     Args:
         parses: of the text, the likeliest first.
         scene: the world.
         history: ids of the objects handled before, the latest last.
+        weights: of features.
     """
     commands = [_commands(parse.tree) for parse in parses]
     if not commands or len(commands[0]) < 2:
         return (tuple(parses),)
     handled = tuple(scene.layout.index[name] for name in history if name in scene.layout.index)
-    split_up = [(parse, _groups(parse.tree, Reader(scene, history=handled))) for parse in parses]
+    evaluator = Evaluator(scene, history=handled, weights=weights)
+    split_up = [(parse, _groups(parse.tree, evaluator)) for parse in parses]
     count = len(split_up[0][1])
     if count == 1:
         return (tuple(parses),)
@@ -55,16 +63,17 @@ def _commands(tree: Phrase) -> list[Phrase]:
     return [clause for clause in _unfolded(tree) if _named(clause) is not None]
 
 
-def _groups(tree: Phrase, reader: Reader) -> list[Phrase]:
+def _groups(tree: Phrase, evaluator: Evaluator) -> list[Phrase]:
     """The clauses of each step, under one root."""
+    context = Context(handled=bool(evaluator.history))
     groups: list[list[Phrase]] = [[]]
     for clause in _unfolded(tree):
         noun = _named(clause)
         if noun is not None and any(_named(before) is not None for before in groups[-1]):
-            told = read_text(_rooted(groups[-1]), reader)
-            reader.context = None
-            placed = bool(told.destination) and _kind(clause) == "pick"
-            if told.target is not None and _apart(told.target, reader.value_of(noun), PLACED if placed else SAME):
+            told = read_text(_rooted(groups[-1]), Reader(context))
+            most = PLACED if told.destination and _kind(clause) == "pick" else SAME
+            further = evaluator.denote(Reader(context).refer(noun))
+            if told.target is not None and _apart(evaluator.denote(told.target), further, most):
                 groups.append([])
         groups[-1].append(clause)
     return [_rooted(group) for group in groups]
@@ -75,12 +84,12 @@ def _kind(clause: Phrase) -> str | None:
     return next((kind for kind, verbs in HANDLING.items() for leaf in clause.leaves if leaf.text in verbs), None)
 
 
-def _apart(first: Array, second: Array, most: float) -> bool:
-    """Whether two descriptions lead to different things: their likely objects overlap by less than `most`."""
-    one, two = float(first.sum()), float(second.sum())
-    if one <= 0 or two <= 0 or float(second.max()) < HOLDS:
+def _apart(first: Denotation, second: Denotation, most: float) -> bool:
+    """Tells whether two descriptions lead to different things: their likely objects overlap by less than `most`."""
+    one, two = float(first.weights.sum()), float(second.weights.sum())
+    if one <= 0 or two <= 0 or second.truth < HOLDS:
         return False
-    return float(np.minimum(first / one, second / two).sum()) < most
+    return float(np.minimum(first.weights / one, second.weights / two).sum()) < most
 
 
 def _named(clause: Phrase) -> Noun | None:
@@ -170,13 +179,13 @@ def _lifted(clause: Phrase) -> Phrase:
 
 
 def _places(phrase: Phrase) -> bool:
-    """Whether a phrase sets something in relation to a thing."""
+    """Tells whether a phrase sets something in relation to a thing."""
     words = [word.text for word in phrase.words]
     return phrase.tag == "PP" and bool(words) and words != ["of"] and any(p.tag == "NP" for p in phrase.phrases)
 
 
 def _cut(phrase: Phrase, start: int, end: int) -> Phrase | None:
-    """What is left of a phrase between two positions of words, or None."""
+    """The part of a phrase between two positions of words, or None."""
     kept: list[Word | Phrase] = []
     for child in phrase.children:
         if isinstance(child, Word):

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from grounding.graded.belief import GradedBelief
 from grounding.language.parser import Parse
 from grounding.language.tree import Phrase
 from grounding.literal.presupposed import absences, forms
@@ -13,10 +12,11 @@ from grounding.literal.reader import LiteralReader
 from grounding.literal.texts import Literal, Rival, read_literally
 from grounding.literal.values import FAINT, FIRM, Missing
 from grounding.literal.wider import is_missing
+from grounding.model.belief import Belief
 from grounding.world.scene import ROBOT, SPEAKER, Scene
 
 FAMILIAR = 16  # a text of more words may well be misunderstood where only places tell things apart
-LIKELY = 0.1  # parses with a smaller share of the graded belief say nothing literally
+LIKELY = 0.1  # parses with a smaller share of belief say nothing literally
 
 SHARP = 3000.0
 """What holds literally is so many times likelier than what does not."""
@@ -65,19 +65,19 @@ SILENT = LiteralBelief()
 
 
 def believe_literally(
-    parses: Sequence[Parse], scene: Scene, graded: GradedBelief, history: Sequence[str] = ()
+    parses: Sequence[Parse], scene: Scene, belief: Belief, history: Sequence[str] = ()
 ) -> LiteralBelief:
     """Read the likely parses literally; what singles something out is preferred, and what is there to what is missing.
 
     Args:
         parses: of the text, the likeliest first.
         scene: the world.
-        graded: the graded readings of the parses.
+        belief: in the meanings of the parses.
         history: ids of the objects handled before, the latest last.
     """
     index = scene.layout.index
     handled = tuple(index[name] for name in history if name in index)
-    shares = graded.shares() or {0: 1.0}
+    shares = _shares(belief)
     words = len(parses[0].tree.leaves)
     found: list[Literal] = []
     for place in sorted(shares, key=lambda place: -shares[place]):
@@ -85,13 +85,13 @@ def believe_literally(
             break
         literal = read_literally(parses[place].tree, scene, handled)
         if literal is None and not found:
-            return _silent(parses[place].tree, scene, graded, handled)
+            return _silent(parses[place].tree, scene, belief, handled)
         if literal is None:
             continue
         found.append(literal)
         missing = literal.missing
         sharp = missing is not None and missing.limit == FIRM and missing.noun is not None
-        if missing is not None and len(found) == 1 and sharp and _gone(missing, words, scene, graded, handled):
+        if missing is not None and len(found) == 1 and sharp and _gone(missing, words, scene, belief, handled):
             break  # no other parse makes up for a shape or a count that is not there
         if len(literal.options) == 1 and literal.placed:
             break
@@ -100,31 +100,45 @@ def believe_literally(
     if best is None:
         return SILENT
     if best.missing is not None:
-        gone = _gone(best.missing, words, scene, graded, handled)
+        gone = _gone(best.missing, words, scene, belief, handled)
         made = best.missing.noun is not None and best.missing.noun.head == "container" and forms(parses[0].tree)
-        if not gone or (made and graded.options[:1] and graded.options[0][0][0] == "place"):
+        if not gone or (made and belief.readings[:1] and belief.readings[0].told.kind == "place"):
             return SILENT  # what is to be made need not be there
         return LiteralBelief(missing=f"{best.missing}; to make one, say which block goes where" if made
                              else str(best.missing))  # fmt: skip
     share = 1.0 / len(best.options)
     options = tuple(((best.kind, names), share) for names in best.options)
-    alike = len(scene.layout.colors) < 2 and graded.truth >= FAINT
+    alike = len(scene.layout.colors) < 2 and _agreement(belief) >= FAINT
     return LiteralBelief(options, rival=best.rival, vague=best.vague, alike=alike, plural=best.plural)
 
 
-def _gone(missing: Missing, words: int, scene: Scene, graded: GradedBelief, history: tuple[int, ...]) -> bool:
+def _shares(belief: Belief) -> dict[int, float]:
+    """The share of belief of every parse that was read; all for the first where none was."""
+    shares: dict[int, float] = {}
+    for reading, share in zip(belief.readings, belief.shares, strict=True):
+        shares[reading.place] = shares.get(reading.place, 0.0) + share
+    return shares or {0: 1.0}
+
+
+def _agreement(belief: Belief) -> float:
+    """How well what is handled agrees with the world, by the likeliest reading and by those of the speaker's view."""
+    asked = [r for i, r in enumerate(belief.readings) if not i or r.evaluator.view == SPEAKER]
+    return max((r.evaluator.denote(r.told.target).truth for r in asked if r.told.target is not None), default=0.0)
+
+
+def _gone(missing: Missing, words: int, scene: Scene, belief: Belief, history: tuple[int, ...]) -> bool:
     """Whether what is literally missing is so for whom else may speak, and in a wider sense."""
-    views = {reading.reader.view: None for reading in graded.readings} or {ROBOT: None}
-    agreement = max([graded.truth, *(r.truth for r in graded.readings if r.reader.view == SPEAKER)])
+    views = {reading.evaluator.view: None for reading in belief.readings} or {ROBOT: None}
+    agreement = _agreement(belief)
     alike = len(scene.layout.colors) < 2
     if alike and words > FAMILIAR and missing.limit != FIRM:
         return False  # a long text that agrees with nothing is misunderstood rather than wrong
     return is_missing(missing, agreement, scene, views, history)
 
 
-def _silent(tree: Phrase, scene: Scene, graded: GradedBelief, history: tuple[int, ...]) -> LiteralBelief:
+def _silent(tree: Phrase, scene: Scene, belief: Belief, history: tuple[int, ...]) -> LiteralBelief:
     """What is believed of a text that is not read as a whole."""
     for missing in absences(tree, LiteralReader(scene, history)):
-        if _gone(missing, len(tree.leaves), scene, graded, history):
+        if _gone(missing, len(tree.leaves), scene, belief, history):
             return LiteralBelief(missing=str(missing))
     return SILENT

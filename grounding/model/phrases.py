@@ -9,6 +9,7 @@ from grounding.meaning.nouns import Noun, read_noun
 from grounding.meaning.reader import Reader
 from grounding.meaning.reading import Context
 from grounding.meaning.referents import Referent
+from grounding.model.belief import Reading
 from grounding.model.cases import Denotation
 from grounding.model.evaluator import Evaluator
 from grounding.world import Array
@@ -62,3 +63,9 @@ class PhraseReader:
     def weights(self, noun: Noun) -> Array:
         """How likely each object is what a noun means, shape (n,); 1 for the best, all 0 where nothing is."""
         return self.noun(noun).denotation.weights
+
+
+def reader_of(reading: Reading) -> PhraseReader:
+    """A reader of the phrases of a text as one reading has them: "it" is what was spoken of before the command."""
+    told = reading.told
+    return PhraseReader(reading.evaluator, told.mentioned, several=told.mentioned is not None and told.plural)

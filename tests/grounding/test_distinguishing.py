@@ -10,8 +10,9 @@ from grounding import Viewpoint, World, load_world, make_object
 from grounding.corpus.composer import compose
 from grounding.distinguishing import Describer, Description, listed_descriptions
 from grounding.geometry.layout import Layout
-from grounding.graded.belief import believe
 from grounding.language.parser import Parser
+from grounding.model.belief import believe, read
+from grounding.model.evaluator import EVEN
 from grounding.world.scene import Scene
 
 SWAPPED = {"you": "me", "me": "you", "your": "my", "my": "your"}
@@ -24,8 +25,8 @@ def parser():
 
 def meant(text, scene):
     """The thing that a person means who says this to the robot."""
-    options = believe(parser().parse(f"pick up {text}", 4), scene).options
-    return options[0][0][1] if options else ()
+    belief = believe(read(parser().parse(f"pick up {text}", 4), scene), EVEN)
+    return next((names for names, _ in belief.options if names), ())
 
 
 def worlds():

@@ -7,7 +7,6 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from grounding.graded.destinations.items import peeled
 from grounding.language.tree import Phrase, Word
 from grounding.meaning.discourse.giving import gained, given
 from grounding.meaning.discourse.hearing import Sentence, hear
@@ -24,6 +23,7 @@ from grounding.meaning.discourse.verbs import (
     ORDERING,
     is_verbal,
 )
+from grounding.meaning.goal.lengths import peeled
 from grounding.meaning.nouns import Noun, read_noun
 from grounding.meaning.reader import Reader
 

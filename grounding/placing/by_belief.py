@@ -1,0 +1,99 @@
+"""The destination of a text: the place that most of its likeliest readings agree on."""
+
+from __future__ import annotations
+
+from grounding.language.tree import Phrase
+from grounding.lexicon import words as w
+from grounding.meaning.goal.units import in_spaces
+from grounding.model.belief import Belief, Reading
+from grounding.model.phrases import reader_of
+from grounding.placing.spots import FoundSpot, agreed, find_spot, leads_off
+from grounding.result import Destination
+from grounding.world.scene import Scene
+
+HEARD = 3  # readings that are asked where to
+
+
+def destination(belief: Belief, objects: tuple[str, ...]) -> Destination | None:
+    """Find where the likeliest readings of a text bring objects: the place that most of them agree on.
+
+    Args:
+        belief: of the text.
+        objects: ids of what is moved.
+
+    Returns:
+        None where nothing says where to, or no place that is meant is free.
+    """
+    source = _source(belief, objects)
+    if source is None:
+        return None
+    readings = belief.readings[:HEARD]
+    scene = readings[0].evaluator.scene
+    if len(objects) > 1 and not any(_leads(piece) for reading in readings for piece in reading.told.destination):
+        return None  # "stack the two red blocks": on what?
+    found: dict[tuple[str, tuple[Phrase, ...]], tuple[FoundSpot, float]] = {}
+    for reading, share in zip(readings, belief.shares, strict=False):
+        said = reading.evaluator.view, tuple(reading.told.destination)
+        if said in found:
+            found[said] = (found[said][0], found[said][1] + share)
+            continue
+        spot = _find(reading, source)
+        if spot is not None:
+            found[said] = (spot, share)
+        elif reading is readings[0] and leads_off_table(belief, objects):
+            return None
+    spot = agreed(list(found.values()), scene.edge)
+    return None if spot is None else _stated(spot, source, scene)
+
+
+def leads_off_table(belief: Belief, objects: tuple[str, ...]) -> bool:
+    """Tells whether the likeliest reading of a text moves an object so far that it leaves the table."""
+    source = _source(belief, objects)
+    if source is None or len(objects) != 1:
+        return False
+    reading = belief.readings[0]
+    return leads_off(_pieces(reading), source, reader_of(reading))
+
+
+def _source(belief: Belief, objects: tuple[str, ...]) -> int | None:
+    """The index of what is moved first."""
+    if not (objects and belief.readings):
+        return None
+    return belief.readings[0].evaluator.scene.layout.index.get(objects[0])
+
+
+def _find(reading: Reading, source: int) -> FoundSpot | None:
+    told = reading.told
+    whole = told.whole if told.kind == "place" else None
+    if whole is not None:
+        whole = in_spaces(whole, reading.evaluator.scene.edge)
+    return find_spot(_pieces(reading), source, reader_of(reading), whole)
+
+
+def _pieces(reading: Reading) -> list[Phrase]:
+    return [in_spaces(piece, reading.evaluator.scene.edge) for piece in reading.told.destination]
+
+
+def _leads(piece: Phrase) -> bool:
+    """Tells whether a piece of a destination tells more than the verb does."""
+    return bool(piece.phrases) or any(w.directions(leaf.text) for leaf in piece.leaves) or piece.tag != "VP"
+
+
+def _stated(spot: FoundSpot, source: int, scene: Scene) -> Destination:
+    """A spot as a destination: on what it is on, or on the table."""
+    half = float(scene.layout.things[source].size[2]) / 2
+    names = tuple(scene.layout.ids[i] for i in spot.reference)
+    if spot.on:
+        support = scene.layout.things[spot.reference[0]]
+        height = float(support.position[2] + support.half_extents[2]) + half
+    else:
+        height = _table_top(scene) + half
+    x, y = (float(value) for value in spot.point)
+    return Destination((x, y, height), spot.relation if names else None, names)
+
+
+def _table_top(scene: Scene) -> float:
+    for item in scene.layout.world.objects:
+        if item.type == "table":
+            return float(item.position[2] + item.half_extents[2])
+    return float(min((thing.position[2] - thing.half_extents[2] for thing in scene.layout.things), default=0.0))

@@ -1,0 +1,51 @@
+"""Parts of the table as places to put things: sides, corners, the middle."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from grounding.lexicon.degrees import gaussian
+from grounding.meaning.goal.clues import Clue
+from grounding.model.phrases import PhraseReader
+from grounding.placing.floor_plan import PITCH, FloorPlan
+from grounding.placing.maps import Shift
+from grounding.world import Array
+from grounding.world.scene import SLANT
+
+OUT = 0.68  # how far out sides and corners are, of the way from the middle to the edge
+ALONG = 0.16  # width along what is named, of the half extent
+ACROSS = 0.6  # width across it
+
+
+_EVERY_CORNER = np.array([[1.0, 1], [1, -1], [-1, 1], [-1, -1]])
+
+
+def _target(clue: Clue, plan: FloorPlan, reader: PhraseReader) -> tuple[Array, Array]:
+    """Middles (m, 2) and widths (2,) of parts of the table in edges: all four where a corner is named by no side."""
+    noun = clue.nouns[0]
+    if noun.place == "corner" and not noun.directions and not noun.middle:
+        return np.asarray(plan.centre + _EVERY_CORNER * OUT * plan.half), np.asarray(ALONG * plan.half)
+    flat = dict.fromkeys({"up": "back", "down": "front"}.get(name, name) for name in noun.directions)
+    vector = np.zeros(2)
+    for name in flat:
+        vector += np.round(plan.axes @ reader.scene.direction(name, noun.agent or reader.view))
+    vector = np.clip(vector, -1, 1)
+    seen = np.array([0.0, -SLANT if vector[1] == 0 else 0.0])  # the middle of the picture is nearer than the table's
+    centre = plan.centre + (vector * OUT + seen) * plan.half
+    named = np.abs(vector) > 0.5
+    free = ~named & bool(flat) & (not noun.middle)
+    return np.asarray(centre[None]), np.asarray(np.where(free, ACROSS, ALONG) * plan.half)
+
+
+def side_points(clue: Clue, shift: Shift, plan: FloorPlan, reader: PhraseReader) -> Array:
+    """The points that are meant most, shape (m, 2) in edges."""
+    centres, _ = _target(clue, plan, reader)
+    return np.asarray(centres + (shift.steps + shift.open) * PITCH)
+
+
+def side_map(clue: Clue, shift: Shift, points: Array, plan: FloorPlan, reader: PhraseReader) -> Array:
+    """Measure how well points (p, 2) lie in a part of the table."""
+    centres, width = _target(clue, plan, reader)
+    centres = centres + (shift.steps + shift.open) * PITCH
+    away = (points[:, None] - centres[None]) / width
+    return np.asarray(gaussian(away, 1.0).prod(axis=2).max(axis=1))

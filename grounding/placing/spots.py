@@ -1,0 +1,180 @@
+"""From clues to the place that agrees best with all of them: a map over places that are free and supported."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from grounding.language.tree import Phrase
+from grounding.meaning.goal.clues import Clue
+from grounding.meaning.goal.items import Item, line_up
+from grounding.meaning.goal.listening import listen
+from grounding.model.phrases import PhraseReader
+from grounding.placing.completing import completing
+from grounding.placing.finger_room import leave_room
+from grounding.placing.floor_plan import FloorPlan, Places, find_places, lay_out
+from grounding.placing.grounded_clues import GroundedClue, agreement, exact_points, ground_clue
+from grounding.placing.maps import Shift
+from grounding.world import Array
+
+FLOOR = 0.02  # a clue that does not hold leaves so much: words and eyes err
+VAGUE = 0.1  # shapes are in the eye of who looks
+UNSAID_TOP = 0.02  # how likely something goes on top of something though nothing says so
+NEAR = 0.6  # places so close [edges] are as good as one another
+UNPARTED = 0.7  # how much a place counts that was found in a text whose parts are not known
+HELD = 0.01  # where no clue agrees so much with any place, there is no room where it would
+STAYING = 0.3  # what goes less far [edges] is not moved
+NEARER = 75.0  # of places that the words leave open the nearer ones are preferred, fading over so many edges
+_KEPT = 60  # of the best places are compared
+
+
+@dataclass(frozen=True, eq=False)
+class FoundSpot:
+    """A place where something is to go.
+
+    Attributes:
+        point: x, y on the table [m].
+        relation: a spatial reference to the objects, or None.
+        reference: indices of the objects.
+        on: whether it goes on top of the reference.
+        certainty: the share of belief within a block of it, in [0, 1].
+    """
+
+    point: Array
+    relation: str | None
+    reference: tuple[int, ...]
+    on: bool
+    certainty: float
+
+
+def find_spot(
+    phrases: Iterable[Phrase], source: int, reader: PhraseReader, whole: Phrase | None = None
+) -> FoundSpot | None:
+    """Find the place to which the words of a destination lead.
+
+    Args:
+        phrases: what follows the verb and what it moves, and what is said of "it" afterwards.
+        source: index of what is moved.
+        reader: of the scene; the source is no reference.
+        whole: the text, read without what names the source where the phrases say nothing.
+
+    Returns:
+        the place with the most belief around it, free and supported; None where the words say nothing or there is no
+        room.
+    """
+    found = _settle(listen(line_up(phrases)), source, reader)
+    if found is None and whole is not None:
+        rest = [item for item in line_up([whole]) if not _names(item, source, reader)]
+        found = _settle(listen(rest), source, reader)
+        found = None if found is None else replace(found, certainty=UNPARTED * found.certainty)
+    return found
+
+
+def leads_off(phrases: Iterable[Phrase], source: int, reader: PhraseReader) -> bool:
+    """Tells whether a way is told, with its lengths, that ends where there is no table."""
+    plan = lay_out(reader.scene, reader.view)
+    for clue in listen(line_up(phrases)):
+        shift = Shift(clue.offsets, reader, plan.axes)
+        if clue.relation == "own" and shift.said.any():
+            end = plan.points[source] + shift.lengths
+            if bool((np.abs(end - plan.centre) > plan.half).any()):
+                return True
+    return False
+
+
+def agreed(spots: Sequence[tuple[FoundSpot, float]], edge: float) -> FoundSpot | None:
+    """Of the places that several readings lead to, the one with most of them around it.
+
+    Args:
+        spots: places with their readings' shares of belief.
+        edge: of a block [m].
+    """
+    if not spots:
+        return None
+    points = np.array([[*spot.point / edge, float(spot.on)] for spot, _ in spots])
+    weights = np.array([share * spot.certainty for spot, share in spots])
+    square = ((points[:, None] - points[None]) ** 2).sum(axis=2)
+    return spots[int(np.argmax(np.exp(-0.5 * square / NEAR**2) @ weights))][0]
+
+
+def _names(item: Item, source: int, reader: PhraseReader) -> bool:
+    """Tells whether a piece names what is moved."""
+    if item.kind not in ("thing", "shape") or item.noun is None:
+        return False
+    weights = reader.weights(item.noun)
+    return bool(weights.any()) and float(weights[source]) > 0.5 * float(weights.sum())
+
+
+def _settle(clues: list[Clue], source: int, reader: PhraseReader) -> FoundSpot | None:
+    """Find where clues lead together, see `find_spot`."""
+    scene = reader.scene
+    plan = lay_out(scene, reader.view)
+    grounded = [g for clue in clues if (g := ground_clue(clue, source, plan, reader)) is not None]
+    if not any(_tells_where(g.clue, source, plan) for g in grounded):
+        return None
+    places = find_places(plan, scene, source, exact_points(grounded, source, plan, reader))
+    if not len(places.points):
+        return None
+    stacked = any(g.clue.relation in ("on", "tower") for g in grounded)
+    belief = np.where(places.support >= 0, 1.0 if stacked else UNSAID_TOP, 1.0) * places.prior
+    away = np.abs(places.points - plan.points[source]).max(axis=1)
+    belief = belief * (away > STAYING) * np.exp(-away / NEARER)
+    held = []
+    for g in grounded:
+        single = agreement(g, places, source, plan, reader)
+        held.append(single)
+        floor = VAGUE if g.clue.relation == "make" else FLOOR
+        belief = belief * (
+            floor + (1 - floor) * (single.max(axis=1) if g.anchors is None else single @ g.anchors.share)
+        )
+    spot = _choose(places, belief, grounded, held, plan)
+    if spot is None or spot.on or any(clue.relation == "touch" or clue.strict for clue in clues):
+        return spot
+    return replace(spot, point=leave_room(spot.point, source, scene))
+
+
+def _tells_where(clue: Clue, source: int, plan: FloorPlan) -> bool:
+    """Tells whether a clue leads to places; one that an arrangement comes about only does where one can."""
+    return clue.relation != "make" or bool(len(completing(clue.nouns[0], source, plan)[0]))
+
+
+def _choose(
+    places: Places, belief: Array, grounded: list[GroundedClue], held: list[Array], plan: FloorPlan
+) -> FoundSpot | None:
+    """The place with the most belief around it."""
+    kept = np.argpartition(-belief, min(_KEPT, len(belief) - 1))[:_KEPT]
+    kept = kept[np.lexsort((kept, -belief[kept]))]
+    weights = belief[kept]
+    total = float(belief.sum())
+    if total <= 0:
+        return None
+    points = np.column_stack([places.points[kept], places.support[kept] >= 0])
+    norm = (points**2).sum(axis=1)
+    square = norm[:, None] + norm - 2 * points @ points.T
+    gain = np.exp(-0.5 * square / NEAR**2) @ weights
+    best = int(np.argmax(gain))
+    if all(float(single[kept[best]].max()) < HELD for single in held):
+        return None
+    close = square[best] < 1.0
+    certainty = float(weights[close].sum()) / total
+    at = int(kept[best])
+    support = int(places.support[at])
+    relation, reference = _reference(grounded, held, at)
+    if support >= 0:
+        relation, reference = "top", (support,)
+    return FoundSpot(plan.world(places.points[at]), relation, reference, support >= 0, min(certainty, 1.0))
+
+
+def _reference(grounded: list[GroundedClue], held: list[Array], at: int) -> tuple[str | None, tuple[int, ...]]:
+    """Name what the words relate a place to, by the clue that says most about it."""
+    for g, single in zip(grounded, held, strict=True):
+        if g.anchors is None or g.clue.relation == "toward":
+            continue
+        best = int(np.argmax(single[at] * g.anchors.share))
+        names = [n for offset in g.clue.offsets for n in offset.names]
+        flat = {"up": "back", "down": "front"}.get(names[0], names[0]) if len(set(names)) == 1 else "near"
+        relation = "between" if g.clue.relation == "between" else flat if names else "near"
+        return relation, g.anchors.members[best]
+    return None, ()
