@@ -9,14 +9,13 @@ from grounding.destinations import find_destination
 from grounding.distinguishing import Describer
 from grounding.forbidding import forbidden
 from grounding.geometry.layout import Layout
-from grounding.graded.belief import GradedBelief
-from grounding.graded.discourse import clauses_of
 from grounding.language.tree import Phrase
 from grounding.lexicon.parameters import value
 from grounding.literal import SILENT, LiteralBelief
 from grounding.missing import unknown_named, unknown_things, whats_missing
-from grounding.model.belief import Belief, Option
+from grounding.model.belief import NO_BELIEF, Belief, Option
 from grounding.phrases import by_answer, by_factors
+from grounding.placing.by_belief import destination, leads_off_table
 from grounding.questions import question, where, which_place
 from grounding.readings import Reading
 from grounding.result import Destination, GroundedAction, Grounding
@@ -62,9 +61,8 @@ def decide(
     found: Sequence[Reading],
     scene: Scene,
     unknown: Sequence[str] = (),
-    graded: GradedBelief | None = None,
+    belief: Belief = NO_BELIEF,
     literal: LiteralBelief = SILENT,
-    belief: Belief | None = None,
 ) -> Grounding:
     """Weigh the readings.
 
@@ -73,23 +71,20 @@ def decide(
         found: its readings by the factors, the likeliest first.
         scene: the world.
         unknown: words that the grammar does not know.
-        graded: its graded readings, which tell where to.
+        belief: what learned weights make of its meanings; where they find none only the factors are asked.
         literal: its literal reading, which tells what is missing.
-        belief: what is believed of it all; None where only the factors are asked.
     """
     tree, words = found[0].inference.tree, tuple(unknown)
     phrases = by_factors(found[0], {})
     refusal = forbidden(tree)
     if refusal is not None:
         return Grounding(text, "not_understood", explanation=refusal, unknown_words=words, phrases=phrases)
-    if graded is not None and not (graded.options and graded.truth > 0) and not literal.options:
-        graded = None
-    read = literal.missing or (belief is not None and any(reading.cases for reading in belief.readings))
-    gone = bool(read) and belief is not None and belief.nothing >= value("answer.missing")
+    understood = any(reading.cases and reading.place >= 0 for reading in belief.readings)
+    gone = bool(understood or literal.missing) and belief.nothing >= value("answer.missing")
     if gone and literal.missing:
         return Grounding(text, "no_referent", explanation=literal.missing, unknown_words=words, phrases=phrases)
-    if gone or ((graded is None or graded.truth < CREDIBLE) and not literal.options):
-        missing = whats_missing(tree, scene) if gone or graded is not None or found[0].actions else None
+    if gone or (belief.agreement < CREDIBLE and not literal.options):
+        missing = whats_missing(tree, scene) if gone or understood or found[0].actions else None
         if missing is not None:
             words = tuple(dict.fromkeys((*words, *unknown_things(tree, scene.layout))))
             return Grounding(text, "no_referent", explanation=missing, unknown_words=words, phrases=phrases)
@@ -97,19 +92,19 @@ def decide(
             thing = next((p.text for p in tree.preorder() if p.tag == "NP"), tree.text)
             why = f"nothing here is {thing!r}"
             return Grounding(text, "no_referent", explanation=why, unknown_words=words, phrases=phrases)
-    hollow = nothing_before(tree) if graded is None else None
+    hollow = nothing_before(tree) if not understood else None
     if hollow is not None:
         return Grounding(text, hollow.outcome, explanation=hollow.explanation, unknown_words=words, phrases=phrases)
-    believed = _by_factors(found, scene) if graded is None or belief is None else _believed(
-        found, scene, graded, belief)
+    believed = _believed(found, scene, belief) if belief.listed() else _by_factors(found, scene)
     if believed is None:
         believed = _open(found, scene)
     if believed is None:
-        why = unanswered(tree, scene, words)
-        return Grounding(text, why.outcome, explanation=why.explanation, unknown_words=why.words, phrases=phrases)
+        open_to = unanswered(tree, scene, words)
+        return Grounding(text, open_to.outcome, explanation=open_to.explanation, unknown_words=open_to.words,
+                         phrases=phrases)  # fmt: skip
     result = _outcome(text, believed, scene)
     unplaced = believed.sure and believed.actions[0].action == "place" and believed.actions[0].destination is None
-    if unplaced and graded is not None and graded.leads_off(believed.actions[0].objects):
+    if unplaced and leads_off_table(belief, believed.actions[0].objects):
         result = Grounding(text, "no_referent", explanation=_OFF_TABLE)
     if result.outcome == "grounded" and result.actions[0].action == "place" and literal.rival is not None:
         asked = which_place(literal.rival.ids, Describer(scene))
@@ -122,8 +117,8 @@ def decide(
             return Grounding(text, "no_referent", explanation=missing, unknown_words=words, phrases=phrases)
     told = (
         by_factors(believed.reading, believed.shares)
-        if believed.agrees or graded is None or not graded.readings
-        else by_answer(believed.reading, graded, believed.actions)
+        if believed.agrees or not understood
+        else by_answer(believed.reading, belief, believed.actions)
     )
     return Grounding(
         text, result.outcome, result.actions, result.alternatives, result.question, result.explanation, words, 0.0, told
@@ -149,21 +144,17 @@ def _outcome(text: str, believed: Believed, scene: Scene) -> Grounding:
     return Grounding(text, "ambiguous", (), listed, asked, why)
 
 
-def _believed(
-    found: Sequence[Reading], scene: Scene, graded: GradedBelief, belief: Belief
-) -> Believed | None:
+def _believed(found: Sequence[Reading], scene: Scene, belief: Belief) -> Believed:
     """What learned weights make of all that was read."""
     shares, bearers = _shares(found)
     options = belief.listed()
-    if not options:
-        return None
     best, second = options[0].probability, options[1].probability if len(options) > 1 else 0.0
     least = min(LISTED, EVEN * best)
     listed = [option for option in options if option.probability >= least]
     sure = best >= value("answer.least") and best >= value("answer.margin") * second
     least = RIVAL * best if sure else 0.0
     actions = tuple(
-        action_of(option, found, scene, graded, placed=option.probability >= least) for option in listed[: MOST + 1]
+        action_of(option, found, scene, belief, placed=option.probability >= least) for option in listed[: MOST + 1]
     )
     bearer = next((r for a, r in bearers.items() if _agrees(a, actions[0])), None)
     count = len(listed)
@@ -216,7 +207,7 @@ def _agrees(action: Action, answer: GroundedAction) -> bool:
 
 
 def action_of(
-    option: Option, found: Sequence[Reading], scene: Scene, graded: GradedBelief, *, placed: bool = True
+    option: Option, found: Sequence[Reading], scene: Scene, belief: Belief, *, placed: bool = True
 ) -> GroundedAction:
     """An option as an action, with where it is to be put.
 
@@ -224,25 +215,23 @@ def action_of(
         option: what is handled.
         found: the readings by the factors.
         scene: the world.
-        graded: the graded readings; of several sentences they know best what is to be done in the end.
+        belief: in what the text means; its readings tell where to.
         placed: whether it is told where to, which takes its time.
     """
-    tree, kind, destination = found[0].inference.tree, option.kinds[0][0], None
-    if tree.tag == "FRAG" or len(clauses_of(tree)) > 1:
-        kind = next((k for (k, objects), _ in graded.options if objects == option.objects), kind)
+    tree, kind, place = found[0].inference.tree, option.kinds[0][0], None
     if kind == "place" and not placed:
         return GroundedAction(kind, option.objects, option.probability)
     if kind == "place":
-        destination = graded.destination(option.objects)
-        if destination is None:
+        place = destination(belief, option.objects)
+        if place is None:
             asked = [a for a in _shares(found)[0] if a.kind == "place" and a.objects == option.objects]
             places = (_destination(a.destination, option.objects, scene.layout) for a in asked)
-            destination = next((place for place in places if place is not None), None)
-    if destination is not None and set(destination.reference) & set(option.objects):
-        destination = None  # nothing is put on or beside itself
-    if kind == "place" and destination is None and _aside(tree):
+            place = next((one for one in places if one is not None), None)
+    if place is not None and set(place.reference) & set(option.objects):
+        place = None  # nothing is put on or beside itself
+    if kind == "place" and place is None and _aside(tree):
         kind = "clear"
-    return GroundedAction(kind, option.objects, option.probability, destination)
+    return GroundedAction(kind, option.objects, option.probability, place)
 
 
 def _aside(tree: Phrase) -> bool:

@@ -16,11 +16,11 @@ from grounding.factors import load_model
 from grounding.forbidding import without_forbidden
 from grounding.geometry.layout import Layout
 from grounding.graded.belief import NO_BELIEF, GradedBelief, believe
-from grounding.graded.colors import taken_for
 from grounding.inference import Adcg
 from grounding.language.lexicon import meanings
 from grounding.language.parser import Parse, Parser
 from grounding.language.tree import Phrase
+from grounding.lexicon.colour import taken_for
 from grounding.literal import SILENT, LiteralBelief, believe_literally
 from grounding.meaning.discourse.told import Told
 from grounding.model.belief import Belief, Option, read
@@ -122,7 +122,7 @@ class Understanding:
         tree = self.readings[0].inference.tree
         parse = next((parse for parse in self.parses if parse.tree is tree), self.parses[0])
         result = decide(
-            self.text, self.readings, self.scene, parse.unknown_words, self.graded, self.literal, self.belief
+            self.text, self.readings, self.scene, parse.unknown_words, self.belief, self.literal
         )
         if returns(tree):
             result = returned(result, self.scene.layout.world, before)
@@ -147,7 +147,7 @@ class Understanding:
 
     def action(self, option: Option) -> GroundedAction:
         """What is to be done where an option is meant."""
-        return action_of(option, self.readings, self.scene, self.graded)
+        return action_of(option, self.readings, self.scene, self.belief)
 
 
 @dataclass(frozen=True, eq=False)
@@ -271,11 +271,11 @@ class Grounder:
 
     def _read(self, text: str, parses: Step, scene: Scene, history: Sequence[str]) -> Understanding:
         heard = self.hear(parses, scene, history)
-        kept = heard.graded.parses()[: self.inferred] or range(min(len(parses), self.inferred))
+        belief = weigh(heard.meanings, self.weights)
+        kept = belief.parses()[: self.inferred] or range(min(len(parses), self.inferred))
         likely = [parses[place] for place in kept]
         memory: dict[object, list] = {}
         inferred = [(self.inference.infer(parse.tree, scene.layout, memory), parse.probability) for parse in likely]
-        belief = weigh(heard.meanings, self.weights)
         return Understanding(text, parses, scene, heard.graded, heard.literal, readings(inferred, scene.layout), belief)
 
     def hear(self, parses: Sequence[Parse], scene: Scene, history: Sequence[str] = ()) -> Heard:
@@ -293,7 +293,7 @@ class Grounder:
         return self.scene(world).layout
 
     def scene(self, world: World) -> Scene:
-        """The world, measured for graded readings."""
+        """The world, measured."""
         key = id(world)
         if key in self._scenes:
             self._scenes.move_to_end(key)

@@ -13,7 +13,7 @@ from grounding.literal.texts import Literal, Rival, read_literally
 from grounding.literal.values import FAINT, FIRM, Missing
 from grounding.literal.wider import is_missing
 from grounding.model.belief import Belief
-from grounding.world.scene import ROBOT, SPEAKER, Scene
+from grounding.world.scene import ROBOT, Scene
 
 FAMILIAR = 16  # a text of more words may well be misunderstood where only places tell things apart
 LIKELY = 0.1  # parses with a smaller share of belief say nothing literally
@@ -108,7 +108,7 @@ def believe_literally(
                              else str(best.missing))  # fmt: skip
     share = 1.0 / len(best.options)
     options = tuple(((best.kind, names), share) for names in best.options)
-    alike = len(scene.layout.colors) < 2 and _agreement(belief) >= FAINT
+    alike = len(scene.layout.colors) < 2 and belief.agreement >= FAINT
     return LiteralBelief(options, rival=best.rival, vague=best.vague, alike=alike, plural=best.plural)
 
 
@@ -120,16 +120,10 @@ def _shares(belief: Belief) -> dict[int, float]:
     return shares or {0: 1.0}
 
 
-def _agreement(belief: Belief) -> float:
-    """How well what is handled agrees with the world, by the likeliest reading and by those of the speaker's view."""
-    asked = [r for i, r in enumerate(belief.readings) if not i or r.evaluator.view == SPEAKER]
-    return max((r.evaluator.denote(r.told.target).truth for r in asked if r.told.target is not None), default=0.0)
-
-
 def _gone(missing: Missing, words: int, scene: Scene, belief: Belief, history: tuple[int, ...]) -> bool:
     """Whether what is literally missing is so for whom else may speak, and in a wider sense."""
     views = {reading.evaluator.view: None for reading in belief.readings} or {ROBOT: None}
-    agreement = _agreement(belief)
+    agreement = belief.agreement
     alike = len(scene.layout.colors) < 2
     if alike and words > FAMILIAR and missing.limit != FIRM:
         return False  # a long text that agrees with nothing is misunderstood rather than wrong

@@ -21,7 +21,7 @@ from grounding.model.evaluator import EVEN, Evaluator
 from grounding.model.features import BINS, logarithm
 from grounding.model.views import views
 from grounding.world import Array
-from grounding.world.scene import Scene
+from grounding.world.scene import SPEAKER, Scene
 
 NEGLIGIBLE = 1e-3  # parses less likely than the best by this factor are not read
 NOTHING: tuple[str, ...] = ()
@@ -89,12 +89,30 @@ class Belief:
         """How likely some objects are what is meant."""
         return next((share for names, share in self.options if names == objects), 0.0)
 
+    def parses(self) -> tuple[int, ...]:
+        """The places of the parses that were read, by their share of belief, the likeliest first."""
+        shares: dict[int, float] = {}
+        for reading, share in zip(self.readings, self.shares, strict=True):
+            if reading.place >= 0:
+                shares[reading.place] = shares.get(reading.place, 0.0) + share
+        return tuple(sorted(shares, key=lambda place: -shares[place]))
+
+    @property
+    def agreement(self) -> float:
+        """How well what is handled agrees with the world, by the likeliest reading and by those of the speaker."""
+        asked = [r for i, r in enumerate(self.readings) if not i or r.evaluator.view == SPEAKER]
+        return max((r.evaluator.denote(r.told.target).truth for r in asked if r.told.target is not None), default=0.0)
+
     def listed(self) -> tuple[Option, ...]:
         """All that may be meant, the likeliest first, given that something is."""
         something = max(1.0 - self.nothing, 1e-12)
         return tuple(
             Option(names, min(share / something, 1.0), self.kinds[names]) for names, share in self.options if names
         )
+
+
+NO_BELIEF = Belief((), (), (), {})
+"""The belief in nothing of a text that nobody read."""
 
 
 def read(
@@ -220,7 +238,7 @@ def believe(readings: Sequence[Reading], weights: Weights) -> Belief:
         scores: dict[int, Array] = {id(case): case.scores(weights) for case in (*reading.cases, reading.nothing)}
         scored.append([(names, float(scores[id(case)][row])) for names, case, row in rows_of(reading)])
     if not scored:
-        return Belief((), (), (), {})
+        return NO_BELIEF
     best = max(score for rows in scored for _, score in rows)
     shares: dict[Objects, float] = {}
     kinds: dict[Objects, dict[str, float]] = {}

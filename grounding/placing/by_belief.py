@@ -27,12 +27,13 @@ def destination(belief: Belief, objects: tuple[str, ...]) -> Destination | None:
     source = _source(belief, objects)
     if source is None:
         return None
-    readings = belief.readings[:HEARD]
+    told = [(r, share) for r, share in zip(belief.readings, belief.shares, strict=True) if r.told.target is not None]
+    readings = [reading for reading, _ in told[:HEARD]]
     scene = readings[0].evaluator.scene
     if len(objects) > 1 and not any(_leads(piece) for reading in readings for piece in reading.told.destination):
         return None  # "stack the two red blocks": on what?
     found: dict[tuple[str, tuple[Phrase, ...]], tuple[FoundSpot, float]] = {}
-    for reading, share in zip(readings, belief.shares, strict=False):
+    for reading, share in told[:HEARD]:
         said = reading.evaluator.view, tuple(reading.told.destination)
         if said in found:
             found[said] = (found[said][0], found[said][1] + share)
@@ -51,13 +52,13 @@ def leads_off_table(belief: Belief, objects: tuple[str, ...]) -> bool:
     source = _source(belief, objects)
     if source is None or len(objects) != 1:
         return False
-    reading = belief.readings[0]
+    reading = next(reading for reading in belief.readings if reading.told.target is not None)
     return leads_off(_pieces(reading), source, reader_of(reading))
 
 
 def _source(belief: Belief, objects: tuple[str, ...]) -> int | None:
     """The index of what is moved first."""
-    if not (objects and belief.readings):
+    if not objects or all(reading.told.target is None for reading in belief.readings):
         return None
     return belief.readings[0].evaluator.scene.layout.index.get(objects[0])
 
