@@ -15,6 +15,7 @@ from itertools import combinations
 from typing import Any
 
 import numpy as np
+from grounding.graded.scene import ROBOT, Scene
 
 from grounding.corpus.base_phrases import BasePhrases
 from grounding.corpus.meaning import Meaning, NotAnnotatable
@@ -30,7 +31,6 @@ from grounding.graded.modifiers.by_reference import BESIDE, TOUCHING
 from grounding.graded.nouns import Noun
 from grounding.graded.places import in_place, make_place
 from grounding.graded.relations import directed, near
-from grounding.graded.scene import ROBOT, Scene
 from grounding.graded.selectors import choose
 from grounding.graded.surroundings import lone
 from grounding.graded.values import Value

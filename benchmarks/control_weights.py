@@ -1,110 +1,65 @@
 """Weights that learning did not choose, as controls for those that it did.
 
-Equal: every weight keeps its sign and gets the mean absolute weight of its factor (unit weights, Dawes 1979). A feature
-is a fact of the context together with a role of the symbol. By itself it speaks neither for nor against: without the
-learned signs every proposed symbol would be true. So equal weights still know the learned directions, not the sizes.
-
-Shuffled: the factors are trained as ever, but within each factor the answers are permuted among all its rows (a row is
-one symbol judged of one phrase). Contexts, roles and the share of true symbols stay; which are true is chance.
+Equal: every concept counts the same, see `grounding.learning.beliefs.EQUAL`. Shuffled: the weights are learned as ever,
+but what every text means is drawn from what its readings propose.
 """
 
 from __future__ import annotations
 
 import hashlib
 import sys
-from collections.abc import Mapping
 from pathlib import Path
-
-import numpy as np
 
 import grounding
 import models
-from grounding.commands.train import PENALTY
-from grounding.corpus.format import Corpus
 from grounding.corpus.generator import is_held_out
+from grounding.corpus.hands import read_hands
 from grounding.corpus.loading import load_corpus
 from grounding.corpus.making import make_corpus
-from grounding.factors import Factor, FactorModel, TrainingSet, load_model, save_model, train
-from grounding.features.discretiser import strictness
-from grounding.geometry.layout import Layout
-from grounding.learning.examples import Annotated, annotated, collect
+from grounding.grounder import Grounder
+from grounding.learning.beliefs import Text, learn_beliefs, texts_by_hand, texts_of
+from grounding.model.cases import Weights
+from grounding.model.storage import load_weights, save_weights
 from motion.cache import cached_folder
 
-SEED = 0  # of the permutation and of what is generated
-VERSION = 1  # of how answers are shuffled
-_TRAINING = ("corpus", "factors", "features", "geometry", "language", "learning")  # packages that shape what is learned
-_NAME = "weights"
+SEED = 0  # of what is drawn and generated
+_NAME = "beliefs.json"
 
 
-def equal_weights(model: FactorModel) -> FactorModel:
-    """The model with equal weights, see the module."""
-    factors = {}
-    for name, factor in model.factors.items():
-        used = np.abs(factor.weights[factor.weights != 0])
-        size = float(used.mean()) if used.size else 0.0
-        factors[name] = Factor(factor.facts, factor.roles, size * np.sign(factor.weights))
-    return FactorModel(factors, model.notes)
-
-
-def shuffled_weights(generated: int, cache: Path | None = None) -> FactorModel:
-    """The factors trained on shuffled answers, see the module; from the cache where they were trained before.
+def shuffled_weights(grounder: Grounder, generated: int, cache: Path | None = None) -> Weights:
+    """The weights learned from shuffled answers; from the cache where they were learned before.
 
     Args:
-        generated: so many generated examples are learned from beside the treebank.
+        grounder: that reads the texts.
+        generated: so many generated texts are learned from beside the treebank and the free texts.
         cache: folder in which the weights are kept; the user's cache by default.
     """
 
     def build(folder: Path) -> None:
-        print("training on shuffled answers, once; this takes minutes", file=sys.stderr, flush=True)
-        save_model(trained_on_shuffled(_examples(generated), {"generated": generated}), folder / _NAME)
+        print("learning from shuffled answers, once; this takes minutes", file=sys.stderr, flush=True)
+        texts = training_texts(grounder, generated)
+        weights = learn_beliefs(texts, grounder, shuffled=SEED, progress=_say)
+        save_weights(weights, folder / _NAME, {"texts": len(texts), "shuffled": SEED})
 
-    return load_model(cached_folder(f"shuffled-{_digest(generated)}", build, cache) / _NAME)
-
-
-def trained_on_shuffled(examples: list[Annotated], notes: Mapping[str, object]) -> FactorModel:
-    """Train all factors on examples whose answers are permuted within each factor."""
-    rng = np.random.default_rng(SEED)
-    sets, _ = collect(examples)
-    factors = {}
-    for name, data in sets.items():
-        factors[name] = train(shuffled(data, rng), PENALTY, strictness=strictness)
-        print(f"  {name}: {len(data.rows)} rows", file=sys.stderr, flush=True)
-    return FactorModel(factors, {"examples": len(examples), "shuffled": SEED, **notes})
+    return load_weights(cached_folder(f"shuffled-{_digest(generated)}", build, cache) / _NAME)
 
 
-def shuffled(data: TrainingSet, rng: np.random.Generator) -> TrainingSet:
-    """The rows of a factor with their answers permuted; as many are true as before."""
-    cells: dict[tuple[int, tuple[int, ...]], int] = {}
-    true = 0
-    for (context, roles, label), count in data.rows.items():
-        cells[context, roles] = cells.get((context, roles), 0) + round(count)
-        true += round(count) if label else 0
-    rows: dict[tuple[int, tuple[int, ...], bool], float] = {}
-    if cells:
-        totals = list(cells.values())
-        drawn = rng.multivariate_hypergeometric(totals, true, method="marginals")
-        for (context, roles), total, hit in zip(cells, totals, drawn.tolist(), strict=True):
-            rows |= {(context, roles, label): count for label, count in ((True, hit), (False, total - hit)) if count}
-    return TrainingSet(data.facts, data.roles, data.contexts, rows)
+def training_texts(grounder: Grounder, generated: int) -> list[Text]:
+    """What the weights are learned from: the treebank, so many generated texts, the free texts."""
+    corpora = [load_corpus(), *([make_corpus(generated, SEED)] if generated else [])]
+    kept = [corpus.select(e for e in corpus if not is_held_out(e.tree)) for corpus in corpora]
+    return [*(text for corpus in kept for text in texts_of(corpus, grounder)), *texts_by_hand(read_hands(), grounder)]
 
 
-def _examples(generated: int) -> list[Annotated]:
-    corpora: list[Corpus] = [load_corpus(), *([make_corpus(generated, SEED)] if generated else [])]
-    found = []
-    for corpus in corpora:
-        layouts = {name: Layout(world) for name, world in corpus.worlds.items()}
-        found += [annotated(e.tree, e.groundings, layouts[e.world]) for e in corpus.examples
-                  if not e.history and not is_held_out(e.tree)]  # fmt: skip
-    return found
+def _say(text: str) -> None:
+    print(f"  {text}", file=sys.stderr, flush=True)
 
 
 def _digest(generated: int) -> str:
-    """What the shuffled weights depend on: the treebank, and the code that turns it into weights."""
+    """What the shuffled weights depend on: the texts, the grammar and the code that turns them into weights."""
     root = Path(grounding.__file__).parent
-    code = [path for name in _TRAINING for path in (root / name).rglob("*.py")]
-    learned = [path for path in models.TREEBANK.rglob("*") if path.is_file()]
-    files = [*code, *learned, root / "symbols.py", root / "world.py"]
-    digest = hashlib.sha256(f"{VERSION} {generated} {SEED} {PENALTY}".encode())
-    for path in sorted(files):
+    learned = [path for folder in (models.TREEBANK, models.HANDS) for path in folder.rglob("*") if path.is_file()]
+    digest = hashlib.sha256(f"{generated} {SEED}".encode())
+    for path in sorted([*root.rglob("*.py"), *root.rglob("*.toml"), *learned, models.GRAMMAR]):
         digest.update(path.read_bytes())
     return digest.hexdigest()[:16]

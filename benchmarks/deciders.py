@@ -4,11 +4,10 @@
 
 SET has a line for each instruction, see `benchmarks/instructions.py`. Right: the only action handles exactly what is
 meant; where the right answer is another outcome, that outcome. Rows: everything; each of `READERS` left out and alone;
-the factors' weights equal or trained on shuffled answers (`benchmarks/control_weights.py`), with all readers and alone.
+with equal weights or with those that were learned from shuffled answers (`benchmarks/control_weights.py`).
 
-Weights trained on shuffled answers are kept in the user's cache, or in DIR, and trained again when the treebank or the
-code that learns has changed. They are learned from the treebank and N generated examples, none by default (four
-minutes); those that ship were learned from 3,000 more and from variants of the treebank's sentences.
+Weights learned from shuffled answers are kept in the user's cache, or in DIR, and learned again when texts or code have
+changed. They are learned from the treebank, the free texts and N generated ones, none by default.
 """
 
 from __future__ import annotations
@@ -20,18 +19,20 @@ from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 
-from control_weights import equal_weights, shuffled_weights
+from control_weights import shuffled_weights
 from instructions import Instruction, read_instructions
 
 import models
-from grounding.factors import FactorModel, load_model
+from grounding.factors import load_model
 from grounding.grounder import READERS, Grounder
 from grounding.inference import Adcg
 from grounding.language.parser import Parser
+from grounding.learning.beliefs import EQUAL
+from grounding.model.cases import Weights
+from grounding.model.storage import load_weights
 from grounding.world import World
 
-LEARNED = "factors"  # the reader that has the weights
-Weights = Callable[[], FactorModel]
+Loading = Callable[[], Weights]
 
 
 @dataclass(frozen=True)
@@ -49,12 +50,11 @@ class Row:
     weights: str = "learned"
 
 
-def rows_of(readers: Sequence[str], learned: str) -> tuple[Row, ...]:
+def rows_of(readers: Sequence[str]) -> tuple[Row, ...]:
     """The rows of the report.
 
     Args:
         readers: all that can be left out.
-        learned: the one whose weights are learned.
     """
     others = {name: frozenset(readers) - {name} for name in readers}
     return (
@@ -62,7 +62,6 @@ def rows_of(readers: Sequence[str], learned: str) -> tuple[Row, ...]:
         *(Row(f"without {name}", frozenset({name})) for name in readers),
         *(Row(f"only {name}", others[name]) for name in readers),
         *(Row(kind, weights=kind) for kind in ("equal", "shuffled")),
-        *(Row(f"only {learned}, {kind}", others[learned], kind) for kind in ("equal", "shuffled")),
     )
 
 
@@ -77,7 +76,7 @@ def measured(
     rows: Iterable[Row],
     instructions: Sequence[Instruction],
     worlds: Mapping[str, World],
-    weights: Mapping[str, Weights],
+    weights: Mapping[str, Loading],
     parser: Parser,
     tell: Callable[[str, float], None] | None = None,
 ) -> dict[str, float]:
@@ -87,14 +86,15 @@ def measured(
         rows: ways to ground.
         instructions: with the answers that are right.
         worlds: by name.
-        weights: the model of every kind of weights, loaded when the first row needs it.
+        weights: every kind of weights, loaded when the first row needs it.
         parser: from texts to trees.
         tell: told every row as it is done.
     """
     remembering = _Remembering(parser)
+    inference = Adcg(load_model(models.WEIGHTS), beam=1)
     shares = {}
     for row in rows:
-        grounder = Grounder(remembering, Adcg(weights[row.weights](), beam=1), without=row.without)
+        grounder = Grounder(remembering, inference, weights[row.weights](), without=row.without)
         right = sum(i.is_answered_by(grounder.ground(i.text, worlds[i.world], i.history)) for i in instructions)
         shares[row.name] = round(right / max(len(instructions), 1), 4)
         if tell is not None:
@@ -104,7 +104,7 @@ def measured(
 
 def main() -> None:
     """Read a set, ground it every way, print."""
-    rows = rows_of(READERS, LEARNED)
+    rows = rows_of(READERS)
     parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
     parser.add_argument("set", type=Path)
     parser.add_argument("worlds", type=Path)
@@ -115,18 +115,16 @@ def main() -> None:
     parser.add_argument("--generated", type=int, default=0, metavar="N", help="examples that those learn from as well")
     args = parser.parse_args()
     instructions, worlds = read_instructions(args.set, args.worlds)
-    learned = cache(lambda: load_model(models.WEIGHTS))
-    shuffled = cache(lambda: shuffled_weights(args.generated, args.cache))
-    weights: dict[str, Weights] = {"learned": learned, "equal": cache(lambda: equal_weights(learned())),
-                                   "shuffled": shuffled}  # fmt: skip
+    texts = Parser.load(models.GRAMMAR)
+    reading = Grounder(texts, Adcg(load_model(models.WEIGHTS), beam=1), EQUAL)
+    weights: dict[str, Loading] = {
+        "learned": cache(lambda: load_weights(models.BELIEFS)), "equal": lambda: EQUAL,
+        "shuffled": cache(lambda: shuffled_weights(reading, args.generated, args.cache)),
+    }  # fmt: skip
     chosen = [row for row in rows if args.rows is None or row.name in args.rows]
-    shares = measured(chosen, instructions, worlds, weights, Parser.load(models.GRAMMAR), None if args.json else _show)
-    if not args.json:
-        return
-    report: dict[str, object] = {"instructions": len(instructions), **shares}
-    if any(row.weights == "shuffled" for row in chosen):
-        report["learned from"] = {"learned": learned().notes["examples"], "shuffled": shuffled().notes["examples"]}
-    print(json.dumps(report))
+    shares = measured(chosen, instructions, worlds, weights, texts, None if args.json else _show)
+    if args.json:
+        print(json.dumps({"instructions": len(instructions), **shares}))
 
 
 def _show(name: str, share: float) -> None:

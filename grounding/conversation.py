@@ -13,7 +13,7 @@ from grounding.dialogue import LISTED, MOST
 from grounding.distinguishing import Describer
 from grounding.errors import LanguageError
 from grounding.grounder import Followed, Grounder, Understanding
-from grounding.pooling import Pooled
+from grounding.model.belief import Option
 from grounding.questions import NAMED, offered, question
 from grounding.result import GroundedAction, Grounding
 from grounding.world import World
@@ -38,7 +38,7 @@ class Pending:
 
     course: Course
     understanding: Understanding
-    options: tuple[Pooled, ...]
+    options: tuple[Option, ...]
     named: int
     where: bool = False
     asked: int = 0
@@ -208,7 +208,7 @@ class Conversation:
     def _instead(self, action: GroundedAction, pending: Pending) -> Grounding:
         """Another thing than those that were named: done with it is what was asked for."""
         kinds = pending.options[0].kinds if pending.options else (("pick", 1.0),)
-        option = Pooled(action.objects, action.probability, kinds)
+        option = Option(action.objects, action.probability, kinds)
         return self._decided(pending, pending.understanding.action(option))
 
     def _follows(self, answer: Answer, text: str, pending: Pending) -> Grounding:
@@ -218,7 +218,7 @@ class Conversation:
         left = tuple(pending.options[i] for i in answer.places)
         if answer.kind == "chosen" and left:
             names = tuple(dict.fromkeys(name for option in left for name in option.objects))
-            option = Pooled(names, answer.probability, left[0].kinds)
+            option = Option(names, answer.probability, left[0].kinds)
             return self._decided(pending, pending.understanding.action(option))
         if answer.kind == "none" and not left and pending.named > 1 and words_of(text) in _BARE:
             return self._again(text, pending, "yes or no does not tell which; name one, or say it in other words")
@@ -300,7 +300,7 @@ class Conversation:
         """The step that was asked about has its answer; the further ones follow."""
         step = pending.understanding
         if action.action == "place" and action.destination is None:
-            option = Pooled(action.objects, action.probability, (("place", 1.0),))
+            option = Option(action.objects, action.probability, (("place", 1.0),))
             return self._ask(step.text, Pending(pending.course, step, (option,), 1, where=True))
         answer = Grounding(step.text, "grounded", (action,), phrases=step.decided().phrases)
         result = self._taken(self._grounder.follow(pending.course.after(answer)))
@@ -316,7 +316,7 @@ def _pending(course: Course, understanding: Understanding, asked: Grounding) -> 
         asked.question or "").startswith(("Do you", "Which", "Shall"))  # fmt: skip
     if where:
         first = asked.alternatives[0]
-        chosen = Pooled(first.objects, first.probability, (("place", 1.0),))
+        chosen = Option(first.objects, first.probability, (("place", 1.0),))
         return Pending(course, understanding, (chosen,), 1, where=True)
     least = min(LISTED, 0.2 * options[0].probability)
     likely = tuple(option for option in options if option.probability >= least)

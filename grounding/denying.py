@@ -6,7 +6,7 @@ from collections.abc import Iterable, Sequence
 
 from grounding.answers import FILLING, NO, words_of
 from grounding.geometry.layout import Layout
-from grounding.pooling import Pooled
+from grounding.model.belief import Option
 
 LEFT = 0.05  # once what was done is denied, options that are so much less likely than the best are left
 _OTHER = frozenset(("other", "another"))
@@ -20,7 +20,7 @@ def denies(text: str) -> bool:
     return bool(told) and told <= NO | _OTHER and (words[0] in NO or _WRONG in told)
 
 
-def others_than(options: Sequence[Pooled], denied: Iterable[str], layout: Layout) -> tuple[Pooled, ...]:
+def others_than(options: Sequence[Option], denied: Iterable[str], layout: Layout) -> tuple[Option, ...]:
     """What else may be meant, the likeliest first: what looks like the thing that was denied before anything else.
 
     Args:
@@ -43,11 +43,11 @@ def _same(name: str, layout: Layout) -> list[str]:
     return [other for other in layout.names(layout.matching(item.type, item.color)) if other != name]
 
 
-def _alone(name: str, like: Pooled) -> Pooled:
-    return Pooled((name,), like.probability, like.kinds)
+def _alone(name: str, like: Option) -> Option:
+    return Option((name,), like.probability, like.kinds)
 
 
-def points_at_other(text: str, options: Sequence[Pooled], denied: Iterable[str], layout: Layout) -> bool:
+def points_at_other(text: str, options: Sequence[Option], denied: Iterable[str], layout: Layout) -> bool:
     """Whether a text that denies tells which one is meant: "the other one", where one more is of the same colour."""
     alone = len(options) == 1 and _colors(options[0].objects, layout) == _colors(denied, layout)
     return alone and not _OTHER.isdisjoint(words_of(text))

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
@@ -14,10 +13,11 @@ from grounding.graded.belief import GradedBelief
 from grounding.graded.discourse import clauses_of
 from grounding.graded.phrases import by_answer
 from grounding.language.tree import Phrase
+from grounding.lexicon.parameters import value
 from grounding.literal import SILENT, LiteralBelief
 from grounding.missing import unknown_named, unknown_things, whats_missing
+from grounding.model.belief import Belief, Option
 from grounding.phrases import by_factors
-from grounding.pooling import Pooled, pool
 from grounding.questions import question, where, which_place
 from grounding.readings import Reading
 from grounding.result import Destination, GroundedAction, Grounding
@@ -25,12 +25,7 @@ from grounding.symbols import Action, Region, symbol_key
 from grounding.unanswered import nothing_before, open_options, unanswered
 from grounding.world.scene import Scene
 
-ANSWERED = 0.34  # an answer is given when it is so likely
-MARGIN = 1.6  # and so many times likelier than the next one
-TIE = 1.1  # graded readings whose shares differ by less do not tell two things apart
-WHOLLY = 0.9  # words that agree with the world so well hold of what they are said of
 CREDIBLE = 0.1  # what agrees less with the world is not answered where something is seen to be missing
-OPEN = 60.0  # what the words literally hold of alike with others has to be so many times likelier than those
 CONFIDENT = 0.62  # by the factors alone an answer is given when it is so likely
 EVEN = 0.2  # where many are possible, those that are at most so much less likely than the best are
 RIVAL = 0.2  # where an answer is given, others are told where to that are at least so likely beside it
@@ -70,6 +65,7 @@ def decide(
     unknown: Sequence[str] = (),
     graded: GradedBelief | None = None,
     literal: LiteralBelief = SILENT,
+    belief: Belief | None = None,
 ) -> Grounding:
     """Weigh the readings.
 
@@ -78,8 +74,9 @@ def decide(
         found: its readings by the factors, the likeliest first.
         scene: the world.
         unknown: words that the grammar does not know.
-        graded: its graded readings, with which the factors' belief is pooled, see `grounding.pooling`.
-        literal: its literal reading, which is pooled with both.
+        graded: its graded readings, which tell where to.
+        literal: its literal reading, which tells what is missing.
+        belief: what is believed of it all; None where only the factors are asked.
     """
     tree, words = found[0].inference.tree, tuple(unknown)
     phrases = by_factors(found[0], {})
@@ -88,17 +85,24 @@ def decide(
         return Grounding(text, "not_understood", explanation=refusal, unknown_words=words, phrases=phrases)
     if graded is not None and not (graded.options and graded.truth > 0) and not literal.options:
         graded = None
-    if literal.missing:
+    read = literal.missing or (belief is not None and any(reading.cases for reading in belief.readings))
+    gone = bool(read) and belief is not None and belief.nothing >= value("answer.missing")
+    if gone and literal.missing:
         return Grounding(text, "no_referent", explanation=literal.missing, unknown_words=words, phrases=phrases)
-    if (graded is None or graded.truth < CREDIBLE) and not literal.options:
-        missing = whats_missing(tree, scene) if graded is not None or found[0].actions else None
+    if gone or ((graded is None or graded.truth < CREDIBLE) and not literal.options):
+        missing = whats_missing(tree, scene) if gone or graded is not None or found[0].actions else None
         if missing is not None:
             words = tuple(dict.fromkeys((*words, *unknown_things(tree, scene.layout))))
             return Grounding(text, "no_referent", explanation=missing, unknown_words=words, phrases=phrases)
+        if gone:
+            thing = next((p.text for p in tree.preorder() if p.tag == "NP"), tree.text)
+            why = f"nothing here is {thing!r}"
+            return Grounding(text, "no_referent", explanation=why, unknown_words=words, phrases=phrases)
     hollow = nothing_before(tree) if graded is None else None
     if hollow is not None:
         return Grounding(text, hollow.outcome, explanation=hollow.explanation, unknown_words=words, phrases=phrases)
-    believed = _by_factors(found, scene) if graded is None else _pooled(found, scene, graded, literal)
+    believed = _by_factors(found, scene) if graded is None or belief is None else _believed(
+        found, scene, graded, belief)
     if believed is None:
         believed = _open(found, scene)
     if believed is None:
@@ -146,18 +150,18 @@ def _outcome(text: str, believed: Believed, scene: Scene) -> Grounding:
     return Grounding(text, "ambiguous", (), listed, asked, why)
 
 
-def _pooled(
-    found: Sequence[Reading], scene: Scene, graded: GradedBelief, literal: LiteralBelief
+def _believed(
+    found: Sequence[Reading], scene: Scene, graded: GradedBelief, belief: Belief
 ) -> Believed | None:
-    """What the factors, the graded readings and the literal one believe together."""
+    """What learned weights make of all that was read."""
     shares, bearers = _shares(found)
-    options = options_of(found, graded, literal)
+    options = belief.listed()
     if not options:
         return None
     best, second = options[0].probability, options[1].probability if len(options) > 1 else 0.0
     least = min(LISTED, EVEN * best)
     listed = [option for option in options if option.probability >= least]
-    sure = best >= ANSWERED and best >= _needed(graded, literal) * second
+    sure = best >= value("answer.least") and best >= value("answer.margin") * second
     least = RIVAL * best if sure else 0.0
     actions = tuple(
         action_of(option, found, scene, graded, placed=option.probability >= least) for option in listed[: MOST + 1]
@@ -165,20 +169,6 @@ def _pooled(
     bearer = next((r for a, r in bearers.items() if _agrees(a, actions[0])), None)
     count = len(listed)
     return Believed(actions, count, sure, shares, bearer or found[0], bearer is not None)
-
-
-def _needed(graded: GradedBelief, literal: LiteralBelief) -> float:
-    """How many times likelier than the next the best option has to be.
-
-    Words that hold fully of several things cannot tell them apart; where they hold as well of another in part,
-    the factors alone must be surer.
-    """
-    if literal.options and not (literal.is_open and literal.vague):
-        return OPEN if literal.is_open else MARGIN
-    shares = [share for _, share in graded.options[:2]]
-    if len(shares) < 2 or shares[0] >= TIE * shares[1]:
-        return MARGIN
-    return math.inf if graded.truth > WHOLLY else 2.0
 
 
 def _by_factors(found: Sequence[Reading], scene: Scene) -> Believed | None:
@@ -226,25 +216,8 @@ def _agrees(action: Action, answer: GroundedAction) -> bool:
     return place is None or action.destination is None or set(place.reference) == set(action.destination.objects)
 
 
-def options_of(
-    found: Sequence[Reading], graded: GradedBelief | None, literal: LiteralBelief = SILENT
-) -> tuple[Pooled, ...]:
-    """All that a text may speak of, the likeliest first, also what is hardly likely.
-
-    Args:
-        found: its readings by the factors.
-        graded: its graded readings.
-        literal: its literal reading.
-    """
-    factors: dict[tuple[str, tuple[str, ...]], float] = {}
-    for action, share in _shares(found)[0].items():
-        factors[action.kind, action.objects] = factors.get((action.kind, action.objects), 0.0) + share
-    words = len(found[0].inference.tree.leaves)
-    return pool(factors, () if graded is None else graded.options, words, literal.options, literal.worth)
-
-
 def action_of(
-    option: Pooled, found: Sequence[Reading], scene: Scene, graded: GradedBelief, *, placed: bool = True
+    option: Option, found: Sequence[Reading], scene: Scene, graded: GradedBelief, *, placed: bool = True
 ) -> GroundedAction:
     """An option as an action, with where it is to be put.
 

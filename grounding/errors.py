@@ -53,6 +53,21 @@ class HandsError(CorpusError):
         super().__init__(f"{file}: line {line}: {what}; right would be: {right}")
 
 
+class MeaningError(GroundingError):
+    """A meaning that was written down and cannot be read back.
+
+    Attributes:
+        line: its number, from 1; 0 where the text as a whole is wrong.
+        text: of the line.
+        right: what would be right.
+    """
+
+    def __init__(self, line: int, text: str, problem: str, right: str) -> None:
+        self.line, self.text, self.right = line, text, right
+        where = f"line {line} ({text!r})" if line else "the text"
+        super().__init__(f"meaning: {where} {problem}; right would be: {right}")
+
+
 class ModelError(GroundingError):
     """Weights or a grammar on disk that are missing, damaged or of another version."""
 

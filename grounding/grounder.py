@@ -10,7 +10,7 @@ from pathlib import Path
 
 import models
 from grounding.course import Course
-from grounding.dialogue import action_of, decide, options_of
+from grounding.dialogue import action_of, decide
 from grounding.errors import GroundingError, LanguageError
 from grounding.factors import load_model
 from grounding.forbidding import without_forbidden
@@ -22,7 +22,14 @@ from grounding.language.lexicon import meanings
 from grounding.language.parser import Parse, Parser
 from grounding.language.tree import Phrase
 from grounding.literal import SILENT, LiteralBelief, believe_literally
-from grounding.pooling import Pooled
+from grounding.meaning.discourse.told import Told
+from grounding.model.belief import Belief, Option, read
+from grounding.model.belief import Reading as Meant
+from grounding.model.belief import believe as weigh
+from grounding.model.cases import Weights
+from grounding.model.evaluator import Evaluator
+from grounding.model.opinions import Opinion, with_opinions
+from grounding.model.storage import load_weights
 from grounding.readings import Reading, readings
 from grounding.result import GroundedAction, Grounding
 from grounding.returning import returned, returns
@@ -33,8 +40,8 @@ from grounding.unanswered import open_options
 from grounding.world import World
 from grounding.world.scene import Scene
 
-READERS = ("factors", "graded", "literal")
-"""Whose beliefs are pooled into an answer; each can be left out, see `Grounder`."""
+READERS = ("meanings", "graded", "literal")
+"""Who proposes what may be meant; each can be left out, see `Grounder`."""
 KEPT_SCENES = 16
 LONGEST = 200  # words that an instruction may have
 SENTENCE = 50  # words of a sentence that are parsed as one; longer ones are parsed in pieces
@@ -55,6 +62,36 @@ def shortened(words: Sequence[str], most: int) -> str:
 
 
 @dataclass(frozen=True, eq=False)
+class Heard:
+    """A text as it was read, before it is weighed what is meant.
+
+    Attributes:
+        graded: what its parses ask for by their graded readings.
+        literal: and what they ask for literally.
+        meanings: the readings whose candidates are weighed, with what the others hold of these.
+    """
+
+    graded: GradedBelief
+    literal: LiteralBelief
+    meanings: tuple[Meant, ...]
+
+
+def opinions_of(graded: GradedBelief, literal: LiteralBelief) -> tuple[Opinion, ...]:
+    """What graded and literal readings hold of what may be meant."""
+    shares: list[dict[tuple[str, ...], float]] = []
+    for options in (graded.options, literal.options):
+        found: dict[tuple[str, ...], float] = {}
+        for (_, names), share in options:
+            key = tuple(sorted(names))
+            found[key] = found.get(key, 0.0) + share
+        shares.append(found)
+    sort = "plural" if literal.plural else "alike" if literal.alike else "vague" if literal.vague else "sharp"
+    notes = (sort, "open") if literal.is_open else (sort,)
+    missing = 1.0 if literal.missing else 0.0
+    return Opinion("graded", shares[0]), Opinion("literal", shares[1], notes, missing)
+
+
+@dataclass(frozen=True, eq=False)
 class Understanding:
     """What a text was taken for, before it is decided what follows.
 
@@ -65,6 +102,7 @@ class Understanding:
         graded: what the parses ask for by their graded readings.
         literal: and what they ask for literally.
         readings: by the factors, of the parses that agree best with the world; the likeliest first.
+        belief: what learned weights make of the meanings of the parses and of what the other readers hold of them.
     """
 
     text: str
@@ -73,6 +111,7 @@ class Understanding:
     graded: GradedBelief
     literal: LiteralBelief
     readings: tuple[Reading, ...]
+    belief: Belief
 
     def decided(self, before: World | None = None) -> Grounding:
         """The answer.
@@ -82,7 +121,9 @@ class Understanding:
         """
         tree = self.readings[0].inference.tree
         parse = next((parse for parse in self.parses if parse.tree is tree), self.parses[0])
-        result = decide(self.text, self.readings, self.scene, parse.unknown_words, self.graded, self.literal)
+        result = decide(
+            self.text, self.readings, self.scene, parse.unknown_words, self.graded, self.literal, self.belief
+        )
         if returns(tree):
             result = returned(result, self.scene.layout.world, before)
         if result.outcome == "grounded" and not result.explanation:
@@ -96,16 +137,15 @@ class Understanding:
         others = ((color, taken_for(self.scene, color)) for color in said)
         return [(color, other) for color, other in others if other is not None]
 
-    def options(self) -> tuple[Pooled, ...]:
+    def options(self) -> tuple[Option, ...]:
         """All that may be spoken of, the likeliest first; those that are left open where nothing helped."""
-        graded = self.graded if self.graded.options else None
-        found = options_of(self.readings, graded, self.literal)
+        found = self.belief.listed()
         if found:
             return found
         bare = open_options(self.readings[0].inference.tree, self.scene)
-        return tuple(Pooled(names, 1 / len(bare), ((kind, 1.0),)) for kind, names in bare)
+        return tuple(Option(names, 1 / len(bare), ((kind, 1.0),)) for kind, names in bare)
 
-    def action(self, option: Pooled) -> GroundedAction:
+    def action(self, option: Option) -> GroundedAction:
         """What is to be done where an option is meant."""
         return action_of(option, self.readings, self.scene, self.graded)
 
@@ -128,28 +168,31 @@ class Followed:
 
 
 class Grounder:
-    """Grounds instructions with one grammar and one set of factors.
+    """Grounds instructions with one grammar, one set of factors and one set of weights that decide.
 
     Args:
         parser: from text to phrase trees.
-        inference: from phrase trees to symbols.
+        inference: from phrase trees to symbols, which tell what phrases mean.
+        weights: of the features of what may be meant.
         parses: how many parses of a text are kept and read; the world decides between them.
         inferred: how many of those that agree best with the world are grounded by the factors.
         without: names of `READERS` that are left out: they believe in nothing, and no other reader hears of them. What
-            is answered then tells what they are worth. The factors still tell what phrases mean.
+            is answered then tells what they are worth.
 
     Raises:
         GroundingError: there is no reader of such a name.
     """
 
     def __init__(
-        self, parser: Parser, inference: Adcg, parses: int = 4, inferred: int = 1, without: Collection[str] = ()
-    ) -> None:
+        self, parser: Parser, inference: Adcg, weights: Weights, parses: int = 4, inferred: int = 1,
+        without: Collection[str] = (),
+    ) -> None:  # fmt: skip
         for name in without:
             if name not in READERS:
                 raise GroundingError(f"no reader is called {name!r}; there are {', '.join(READERS)}")
         self.parser = parser
         self.inference = inference
+        self.weights = weights
         self.parses = parses
         self.inferred = inferred
         self.without = frozenset(without)
@@ -157,19 +200,21 @@ class Grounder:
 
     @classmethod
     def load(
-        cls, grammar: Path = models.GRAMMAR, weights: Path = models.WEIGHTS, without: Collection[str] = ()
-    ) -> Grounder:
+        cls, grammar: Path = models.GRAMMAR, weights: Path = models.WEIGHTS, beliefs: Path = models.BELIEFS,
+        without: Collection[str] = (),
+    ) -> Grounder:  # fmt: skip
         """Read the shipped grammar and weights, or others.
 
         Args:
             grammar: of the parser.
             weights: of the factors, without ending.
+            beliefs: the weights that decide.
             without: names of `READERS` that are left out.
 
         Raises:
             ModelError: a file is missing, damaged or of another version.
         """
-        return cls(Parser.load(grammar), Adcg(load_model(weights), beam=1), without=without)
+        return cls(Parser.load(grammar), Adcg(load_model(weights), beam=1), load_weights(beliefs), without=without)
 
     def ground(self, text: str, world: World, history: Sequence[str] = (), before: World | None = None) -> Grounding:
         """Understand an instruction.
@@ -225,16 +270,20 @@ class Grounder:
         return tuple(replace(p, tree=without_forbidden(p.tree)) for p in self.parser.parse(text, self.parses))
 
     def _read(self, text: str, parses: Step, scene: Scene, history: Sequence[str]) -> Understanding:
-        graded = NO_BELIEF if "graded" in self.without else believe(parses, scene, history)
-        literal = SILENT if "literal" in self.without else believe_literally(parses, scene, graded, history)
-        kept = graded.parses()[: self.inferred] or range(min(len(parses), self.inferred))
+        heard = self.hear(parses, scene, history)
+        kept = heard.graded.parses()[: self.inferred] or range(min(len(parses), self.inferred))
         likely = [parses[place] for place in kept]
         memory: dict[object, list] = {}
         inferred = [(self.inference.infer(parse.tree, scene.layout, memory), parse.probability) for parse in likely]
-        found = readings(inferred, scene.layout)
-        if "factors" in self.without:
-            found = tuple(replace(reading, actions=()) for reading in found)
-        return Understanding(text, parses, scene, graded, literal, found)
+        belief = weigh(heard.meanings, self.weights)
+        return Understanding(text, parses, scene, heard.graded, heard.literal, readings(inferred, scene.layout), belief)
+
+    def hear(self, parses: Sequence[Parse], scene: Scene, history: Sequence[str] = ()) -> Heard:
+        """Read parses in every way, before it is weighed what is meant; for learning the weights as well."""
+        graded = NO_BELIEF if "graded" in self.without else believe(parses, scene, history)
+        literal = SILENT if "literal" in self.without else believe_literally(parses, scene, graded, history)
+        found = () if "meanings" in self.without else read(parses, scene, history, self.weights)
+        return Heard(graded, literal, with_opinions(found, opinions_of(graded, literal), Evaluator(scene), Told()))
 
     def layout(self, world: World) -> Layout:
         """The world, measured; the latest ones are kept."""

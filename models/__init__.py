@@ -7,5 +7,6 @@ SCENES = ROOT / "scenes"
 BAXTER_RECIPE = ROOT / "baxter" / "recipe.json"
 GRAMMAR = ROOT / "grammar.json"
 WEIGHTS = ROOT / "weights"  # .npz and .json
+BELIEFS = ROOT / "beliefs.json"
 TREEBANK = ROOT / "treebank"
 HANDS = ROOT / "hands"

@@ -39,7 +39,7 @@ def add_arguments(subparsers: Any) -> None:
     _add_inference(accuracy)
     accuracy.add_argument("--negatives", type=_whole, metavar="N",
                           help="in training, all of the space of symbols is negative in worlds of up to so many "
-                               "blocks, and what is proposed in others (default: 0 for adcg alone, else as "
+                               "blocks, and what is proposed in others (default: 0 for adcg and hadcg, else as "
                                "--exhaustive-blocks)")  # fmt: skip
     accuracy.add_argument("--jobs", type=_count, default=1, metavar="N", help="processes at a time (default: 1)")
 
@@ -170,9 +170,11 @@ def _add_common(parser: argparse.ArgumentParser, plots: bool = True) -> None:
 
 def _add_inference(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--inference", type=_names, default="adcg", metavar="NAME,...",
-                        help="methods, with commas between them: adcg, dcg, exact, g3 (default: adcg)")  # fmt: skip
+                        help="methods, with commas between them: adcg, hadcg, dcg, hdcg, exact, g3 "
+                             "(default: adcg)")  # fmt: skip
     parser.add_argument("--exhaustive-blocks", type=_count, default=12, metavar="N",
-                        help="run other methods on worlds of at most so many blocks (default: 12)")  # fmt: skip
+                        help="run methods other than adcg and hadcg on worlds of at most so many blocks "
+                             "(default: 12)")  # fmt: skip
 
 
 def _names(text: str) -> tuple[str, ...]:

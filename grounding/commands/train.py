@@ -9,6 +9,7 @@ import os
 import sys
 import time
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -16,17 +17,23 @@ import models
 from grounding.commands import SUMMARIES
 from grounding.corpus.format import Corpus
 from grounding.corpus.generator import is_held_out
+from grounding.corpus.hands import read_hands
 from grounding.corpus.loading import load_corpus
 from grounding.corpus.making import make_corpus
 from grounding.corpus.treebank import build_variants, read_trees
 from grounding.corpus.wording import sampled_sentences, sentences_of
-from grounding.factors import save_model
+from grounding.factors import FactorModel, load_model, save_model
 from grounding.features import FAMILIES
 from grounding.geometry.layout import Layout
+from grounding.grounder import Grounder
+from grounding.inference import Adcg
 from grounding.language.compiled import write_tables
 from grounding.language.grammar import Grammar
-from grounding.learning import learn
+from grounding.language.parser import Parser
+from grounding.learning import learn, learn_first_pass
+from grounding.learning.beliefs import learn_beliefs, texts_by_hand, texts_of
 from grounding.learning.examples import Annotated, annotated
+from grounding.model.storage import save_weights
 
 VARIANTS = 4
 SAMPLED = 4000
@@ -56,6 +63,11 @@ def add_arguments(subparsers: Any) -> None:
     parser.add_argument("--grammar-only", action="store_true", help="learn and write the grammar, leave the weights")
     parser.add_argument("--tables-only", action="store_true",
                         help="learn nothing; write grammar.tables for the grammar.json that is there")  # fmt: skip
+    parser.add_argument("--first-pass-only", action="store_true",
+                        help="learn the first pass of hierarchical inference and add it to the weights that are "
+                        "there, which stay as they are")  # fmt: skip
+    parser.add_argument("--beliefs-only", action="store_true",
+                        help="learn the weights that decide, with the grammar and the factors that are there")
     parser.add_argument("--penalty", type=_strength, default=PENALTY, help="strength of the L2 regularisation")
 
 
@@ -65,11 +77,16 @@ def run(args: argparse.Namespace) -> int:
     if args.tables_only:
         write_tables(args.output / models.GRAMMAR.name)
         return _finish({}, start, args.output)
+    if args.beliefs_only:
+        return _learn_beliefs(args, start)
     corpora = [load_corpus(path) for path in args.corpus or [None]]
     if args.generated:
         _say(f"{args.generated} examples are generated")
         corpora.append(make_corpus(args.generated, args.seed))
     corpora = [_learnable(corpus, args.hold_out) for corpus in corpora]
+    if args.first_pass_only:
+        model = load_model(args.output / models.WEIGHTS.name)
+        return _add_first_pass(model, _all_examples(corpora, args), args, start)
     spoken = (sentence for corpus in corpora for e in corpus.examples for sentence in sentences_of(e.tree))
     trees = {str(tree): tree for tree in (*read_trees(args.trees), *spoken)}
     args.output.mkdir(parents=True, exist_ok=True)
@@ -79,15 +96,51 @@ def run(args: argparse.Namespace) -> int:
     if args.grammar_only:
         _write_grammar(grammar, args.output)
         return _finish({"trees": len(trees), "sampled": args.sampled}, start, args.output)
-    examples = [example for corpus in corpora for example in _examples(corpus)]
-    if args.variants:
-        _say(f"{args.variants} variants of each tree, annotated")
-        examples += _examples(build_variants(read_trees(args.trees), models.SCENES, args.variants))
+    examples = _all_examples(corpora, args)
     _say(f"factors from {len(examples)} examples")
     model = learn(examples, args.penalty, _progress(), {"examples": len(examples), "corpus": _fingerprint(corpora)})
     _write_grammar(grammar, args.output)
     save_model(model, args.output / models.WEIGHTS.name)
     counts = {"trees": len(trees), "sampled": args.sampled, "examples": len(examples), "features": model.feature_count}
+    if args.corpus is None:
+        _learn_beliefs(args, start)
+    return _finish(counts, start, args.output)
+
+
+def _learn_beliefs(args: argparse.Namespace, start: float) -> int:
+    """Learn the weights that decide, from the treebank, from generated texts and from free ones, and write them."""
+    parser = Parser.load(args.output / models.GRAMMAR.name)
+    grounder = Grounder(parser, Adcg(load_model(args.output / models.WEIGHTS.name), beam=1), {})
+    corpora = [load_corpus(None)]
+    if args.generated:
+        _say(f"{args.generated} texts are generated")
+        corpora.append(make_corpus(args.generated, args.seed + 1))
+    kept = [corpus.select(e for e in corpus if not (args.hold_out and is_held_out(e.tree))) for corpus in corpora]
+    texts = [text for corpus in kept for text in texts_of(corpus, grounder)]
+    texts += texts_by_hand(read_hands(models.HANDS), grounder)
+    _say(f"weights that decide from {len(texts)} texts")
+    weights = learn_beliefs(texts, grounder, progress=_say)
+    save_weights(weights, args.output / models.BELIEFS.name, {"texts": len(texts)})
+    return _finish({"texts": len(texts), "weights": len(weights)}, start, args.output)
+
+
+def _all_examples(corpora: Sequence[Corpus], args: argparse.Namespace) -> list[Annotated]:
+    """The examples of corpora, and variants of the trees."""
+    examples = [example for corpus in corpora for example in _examples(corpus)]
+    if args.variants:
+        _say(f"{args.variants} variants of each tree, annotated")
+        examples += _examples(build_variants(read_trees(args.trees), models.SCENES, args.variants))
+    return examples
+
+
+def _add_first_pass(
+    model: FactorModel, examples: Sequence[Annotated], args: argparse.Namespace, start: float
+) -> int:
+    """Learn a first pass and write it beside the factors that are there."""
+    _say(f"first pass from {len(examples)} examples")
+    first_pass = learn_first_pass(examples, args.penalty)
+    save_model(replace(model, first_pass=first_pass), args.output / models.WEIGHTS.name)
+    counts = {"examples": len(examples), "features of the first pass": first_pass.factor.feature_count}
     return _finish(counts, start, args.output)
 
 
@@ -126,7 +179,7 @@ def _progress() -> Callable[[str], None]:
     names = [family.name for family in FAMILIES]
 
     def tell(name: str) -> None:
-        done = names.index(name)
+        done = names.index(name) if name in names else len(names)
         _say(f"[{'#' * done}{'.' * (len(names) - done)}] {done}/{len(names)} factors, now {name}")
 
     return tell

@@ -94,8 +94,9 @@ def report(results: dict[str, Any]) -> str:
         same = [r for r in results["records"] if r[:5] == record[:5]]
         line = [record.by, record.parse, record.inference, f"{record.holdout:.2f}"]
         line += [f"{r.mean:.3f} ± {r.standard_error:.3f}" for r in same]
+        line += ["-"] * (len(summary.MEASURES) - len(same))
         (rows if record.slice == summary.ALL else large).append([*line, record.splits, round(record.examples, 1)])
-    header = ["split", "parse", "inference", "holdout", "root", "complete", "phrases", "splits", "tested"]
+    header = ["split", "parse", "inference", "holdout", "root", "complete", "phrases", "kinds", "splits", "tested"]
     parts = [text_table(header, rows)]
     if large:
         parts.append(f"worlds of {summary.LARGE_WORLDS}:\n" + text_table(header, large))
@@ -107,8 +108,9 @@ def report(results: dict[str, Any]) -> str:
     for pair in results["agreement"]:
         parts.append(
             f"{pair.inference} on the same {pair.examples} examples of up to {pair.blocks} blocks "
-            f"({pair.by}, {pair.parse} parse): root {pair.root[1]:.3f} against {pair.root[0]:.3f} by adcg, "
-            f"complete {pair.complete[1]:.3f} against {pair.complete[0]:.3f}"
+            f"({pair.by}, {pair.parse} parse): root {pair.root[1]:.3f} against {pair.root[0]:.3f} by {pair.against}, "
+            f"complete {pair.complete[1]:.3f} against {pair.complete[0]:.3f}, "
+            f"{pair.evaluations[1]:,.0f} evaluations an instruction against {pair.evaluations[0]:,.0f}"
         )
     return "\n\n".join(parts)
 
@@ -124,7 +126,8 @@ def _by_split(trials: Sequence[summary.Trial]) -> list[dict[str, Any]]:
     for trial in trials:
         for parse, name in dict.fromkeys((row["parse"], row["inference"]) for row in trial["rows"]):
             rows = [row for row in trial["rows"] if (row["parse"], row["inference"]) == (parse, name)]
-            shares = {measure: summary.share(rows, measure) for measure in summary.MEASURES}
+            known = summary.measures_of(rows)
+            shares = {m: summary.share(rows, m) if m in known else None for m in summary.MEASURES}
             lines.append({"by": trial["by"], "holdout": trial["holdout"], "split": trial["number"], "parse": parse,
                           "inference": name, "trained on": trial["training"]["examples"], "tested on": len(rows),
                           **shares, "training seconds": trial["training"]["seconds"],

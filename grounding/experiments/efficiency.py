@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from grounding.corpus.format import Corpus
-from grounding.experiments.engines import ADAPTIVE, needed_negatives
+from grounding.experiments.engines import ADAPTIVE, PROPOSING, needed_negatives
 from grounding.experiments.large_worlds import compose_large
 from grounding.experiments.paper import TABLE_I, is_papers
 from grounding.experiments.processes import Task, in_processes, peak_memory
@@ -57,7 +57,7 @@ def measure_efficiency(
         corpus: whose instructions are grounded, with factors learned from all of it.
         engines: names.
         blocks: sizes of composed worlds; the corpus's instructions are grounded in these as well.
-        exhaustive: other engines than ADCG are measured up to so many blocks.
+        exhaustive: engines that judge all of Γ are measured up to so many blocks.
         instructions: for every size of a composed world.
         budget: seconds for an engine at a size, after which no further instruction is begun.
         seed: of the composed worlds and of the choice of instructions.
@@ -70,7 +70,7 @@ def measure_efficiency(
         Task(f"{name} at {size} blocks", measure_cost, (model, name, composed, worlds, pairs, budget))
         for name in engines
         for size, composed, worlds, pairs in cases
-        if name == ADAPTIVE or size <= exhaustive
+        if name in PROPOSING or size <= exhaustive
     ]
     tell = None if begun is None else begun(len(tasks), "measurements")
     costs: list[Cost | None] = [None] * len(tasks)

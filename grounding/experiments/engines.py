@@ -6,9 +6,11 @@ from grounding.experiments.errors import ExperimentError
 from grounding.factors import FactorModel
 from grounding.inference import ENGINES, Engine
 
-__all__ = ["ADAPTIVE", "Engine", "check_engines", "make_engine", "needed_negatives"]
+__all__ = ["ADAPTIVE", "FLAT", "PROPOSING", "Engine", "check_engines", "make_engine", "needed_negatives"]
 
-ADAPTIVE = "adcg"  # the method whose cost does not forbid large worlds
+ADAPTIVE = "adcg"
+PROPOSING = (ADAPTIVE, "hadcg")  # methods whose cost does not forbid large worlds
+FLAT = {"hadcg": ADAPTIVE, "hdcg": "dcg"}  # hierarchical methods, with what they do without their first pass
 
 
 def check_engines(names: tuple[str, ...]) -> None:
@@ -31,10 +33,10 @@ def make_engine(name: str, model: FactorModel) -> Engine:
 def needed_negatives(names: tuple[str, ...], exhaustive: int) -> int:
     """In worlds of how many blocks all of Γ has to be negative in training, for these engines.
 
-    Engines that judge symbols which ADCG never proposes need factors that have learned from these.
+    Engines that judge symbols which are never proposed need factors that have learned from these.
 
     Args:
         names: of engines.
-        exhaustive: blocks of the largest world that engines other than ADCG are run on.
+        exhaustive: blocks of the largest world that exhaustive engines are run on.
     """
-    return exhaustive if set(names) - {ADAPTIVE} else 0
+    return exhaustive if set(names).difference(PROPOSING) else 0

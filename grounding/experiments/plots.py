@@ -12,8 +12,9 @@ from grounding.experiments.errors import ExperimentError
 from grounding.experiments.paper import TABLE_I
 from grounding.experiments.summary import ALL, Record
 
-COLORS = {"adcg": "#0b6e99", "dcg": "#c8502d", "exact": "#3f8f4f", "g3": "#7a5195"}  # told apart without colour vision
-NAMES = {"adcg": "ADCG", "dcg": "DCG", "exact": "exact ADCG", "g3": "G3"}
+COLORS = {"adcg": "#0b6e99", "dcg": "#c8502d", "exact": "#3f8f4f", "g3": "#7a5195",
+          "hadcg": "#2bb3c0", "hdcg": "#e0a030"}  # told apart without colour vision
+NAMES = {"adcg": "ADCG", "dcg": "DCG", "exact": "exact ADCG", "g3": "G3", "hadcg": "HADCG", "hdcg": "HDCG"}
 _SIZES = ("#9ecae1", "#4f9bcb", "#2171b5", "#c8502d", "#7f2704", "#7a5195", "#3f8f4f", "#555555")
 _GREY = "#666666"
 _STYLE: Any = {

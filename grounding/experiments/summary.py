@@ -8,7 +8,9 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-MEASURES = ("root", "complete", "phrases")
+from grounding.experiments.engines import ADAPTIVE, FLAT
+
+MEASURES = ("root", "complete", "phrases", "kinds")
 LARGE = 10  # blocks of what is called a large world
 ALL, LARGE_WORLDS, NEW_TEXTS = "all", f"{LARGE} blocks and more", "texts not in training"
 
@@ -25,7 +27,7 @@ class Record(NamedTuple):
         parse: "annotated" or "own".
         inference: the engine.
         slice: which of the tested examples.
-        measure: one of `MEASURES`.
+        measure: one of `MEASURES`; "kinds" is the share of the needed kinds of symbols that a first pass kept.
         mean: over the splits that have such examples, each split's share counting alike.
         standard_error: of that mean; 0 for a single split.
         splits: how many splits have such examples.
@@ -69,26 +71,30 @@ class Training(NamedTuple):
 
 
 class Agreement(NamedTuple):
-    """ADCG beside another engine, on the examples that both were run on.
+    """An engine beside another one, on the examples that both were run on.
 
     Attributes:
         by: how the corpus was split.
         parse: "annotated" or "own".
-        inference: the other engine.
+        inference: the engine.
+        against: the other one: ADCG or, for a hierarchical engine, the one that it restricts.
         blocks: of the largest world that it was run on.
         examples: tested by both, over all splits and holdouts.
-        root: share of right roots by ADCG and by the other.
-        complete: share of complete trees by ADCG and by the other.
+        root: share of right roots by the other one and by the engine.
+        complete: share of complete trees by the other one and by the engine.
+        evaluations: of factors by the other one and by the engine, an example.
         same: share of examples on which both have the same number of phrases right.
     """
 
     by: str
     parse: str
     inference: str
+    against: str
     blocks: int
     examples: int
     root: tuple[float, float]
     complete: tuple[float, float]
+    evaluations: tuple[float, float]
     same: float
 
 
@@ -102,13 +108,20 @@ def summarise(trials: Sequence[Trial]) -> tuple[Record, ...]:
                 key = (trial["by"], trial["holdout"], row["parse"], row["inference"], name)
                 groups.setdefault(key, []).append(row)
         for key, rows in groups.items():
-            for measure in MEASURES:
+            for measure in measures_of(rows):
                 shares.setdefault((*key, measure), []).append((share(rows, measure), len(rows)))
     return tuple(_record(key, values) for key, values in sorted(shares.items(), key=lambda item: _order(item[0])))
 
 
+def measures_of(rows: Sequence[Row]) -> tuple[str, ...]:
+    """The measures that rows have: kinds are kept by methods with a first pass only."""
+    return MEASURES if all("kinds kept" in row for row in rows) else MEASURES[:-1]
+
+
 def share(rows: Sequence[Row], measure: str) -> float:
-    """The share of right roots, complete trees or phrases."""
+    """The share of right roots, complete trees or phrases, or of the needed kinds that were kept."""
+    if measure == "kinds":
+        return float(sum(row["kinds kept"] for row in rows) / max(sum(row["kinds needed"] for row in rows), 1))
     if measure == "phrases":
         return float(sum(row["right"] for row in rows) / sum(row["phrases"] for row in rows))
     return float(np.mean([row[measure] for row in rows]))
@@ -133,25 +146,32 @@ def summarise_training(trials: Iterable[Trial]) -> tuple[Training, ...]:
     return tuple(found)
 
 
-def compare(trials: Iterable[Trial], adaptive: str = "adcg") -> tuple[Agreement, ...]:
-    """ADCG beside every other engine, split by split on the same examples."""
-    pairs: dict[tuple[str, str, str], list[tuple[Row, Row]]] = {}
+def compare(trials: Iterable[Trial], adaptive: str = ADAPTIVE) -> tuple[Agreement, ...]:
+    """Every engine beside ADCG, hierarchical ones beside what they restrict, split by split on the same examples."""
+    pairs: dict[tuple[str, str, str, str], list[tuple[Row, Row]]] = {}
     for trial in trials:
-        ours = {(row["parse"], row["id"]): row for row in trial["rows"] if row["inference"] == adaptive}
+        rows_of = {(row["inference"], row["parse"], row["id"]): row for row in trial["rows"]}
         for row in trial["rows"]:
-            if row["inference"] != adaptive and (row["parse"], row["id"]) in ours:
-                key = (trial["by"], row["parse"], row["inference"])
-                pairs.setdefault(key, []).append((ours[row["parse"], row["id"]], row))
+            name = row["inference"]
+            for other in dict.fromkeys((adaptive, FLAT.get(name, adaptive))):
+                beside = rows_of.get((other, row["parse"], row["id"]))
+                if name not in (adaptive, other) and beside is not None:
+                    pairs.setdefault((trial["by"], row["parse"], name, other), []).append((beside, row))
     found = []
-    for (by, parse, name), rows in sorted(pairs.items()):
+    for (by, parse, name, other), rows in sorted(pairs.items()):
         first, second = [a for a, _ in rows], [b for _, b in rows]
         found.append(
-            Agreement(by, parse, name, max(row["blocks"] for row in second), len(rows),
+            Agreement(by, parse, name, other, max(row["blocks"] for row in second), len(rows),
                       (share(first, "root"), share(second, "root")),
                       (share(first, "complete"), share(second, "complete")),
+                      (_evaluations(first), _evaluations(second)),
                       float(np.mean([a["right"] == b["right"] for a, b in rows])))
         )  # fmt: skip
     return tuple(found)
+
+
+def _evaluations(rows: Sequence[Row]) -> float:
+    return float(np.mean([row["evaluations"] for row in rows]))
 
 
 def _slices(row: Row) -> Iterator[str]:

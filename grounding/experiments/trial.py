@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from grounding.corpus.format import Corpus, Example
-from grounding.experiments.engines import ADAPTIVE, Engine, make_engine
+from grounding.experiments.engines import ADAPTIVE, PROPOSING, Engine, make_engine
 from grounding.experiments.processes import peak_memory
 from grounding.experiments.splits import Split, layout_key
 from grounding.geometry.layout import Layout
@@ -19,6 +19,7 @@ from grounding.language.tree import Phrase
 from grounding.learning import Negatives, learn
 from grounding.learning.evaluation import score_tree
 from grounding.learning.examples import Annotated, annotated
+from grounding.learning.first_pass import count_kept
 from grounding.readings import preferred, readings
 
 PARSES = ("annotated", "own")
@@ -35,7 +36,7 @@ class Settings:
         threshold: a symbol counts as found when its probability exceeds this.
         penalty: strength of the L2 regularisation in training.
         readings: how many parses of a text are grounded where the parse is our own; the world decides between them.
-        exhaustive: other methods than ADCG are run on worlds of at most so many blocks.
+        exhaustive: methods that judge all of Γ are run on worlds of at most so many blocks.
         negatives: in training, all of Γ is negative in worlds of up to so many blocks, and what is proposed in others.
     """
 
@@ -85,12 +86,13 @@ def run_trial(corpus: Corpus, split: Split, settings: Settings, variants: Varian
         engine = make_engine(name, model)
         for example in test:
             layout = layouts[example.world]
-            if name != ADAPTIVE and layout.size > settings.exhaustive:
+            if name not in PROPOSING and layout.size > settings.exhaustive:
                 continue
             gold = _annotated(example, layouts)
             used = parser if parse == "own" else None
             row = {"id": example.id, "parse": parse, "inference": name, "blocks": layout.size, **seen(example)}
-            rows.append({**row, **_tested(example.instruction, gold, engine, used, settings)})
+            tested = _tested(example.instruction, gold, engine, used, settings)
+            rows.append({**row, **tested, **_kept(engine, gold)})
     return {"split": split.name, "by": split.by, "holdout": split.holdout, "number": split.number,
             "training": training, "rows": rows}  # fmt: skip
 
@@ -115,6 +117,15 @@ def _tested(text: str, gold: Annotated, engine: Engine, parser: Parser | None, s
         "extra": score.extra, "missing": sum(mistake.found is None for mistake in score.mistakes),
         "seconds": round(seconds, 6), "evaluations": count,
     }  # fmt: skip
+
+
+def _kept(engine: Engine, gold: Annotated) -> dict[str, int]:
+    """How many of the kinds of symbols that the phrases of an example need a first pass keeps, if there is one."""
+    restriction = getattr(engine, "restriction", None)
+    if restriction is None:
+        return {}
+    kept, needed = count_kept(restriction, gold)
+    return {"kinds kept": kept, "kinds needed": needed}
 
 
 def own_parse(

@@ -1,7 +1,19 @@
-"""Why an instruction was understood as it was: of every phrase, of the answer, and of what lost against it."""
+"""Why an instruction was understood as it was: its meaning, how true that is, and what lost against it."""
 
 from grounding.explanations.explain import explain
 from grounding.explanations.telling import told
-from grounding.explanations.values import Contribution, Explanation, Judged, PhraseExplained, Rival, Weighed
+from grounding.explanations.values import (
+    Contribution,
+    Degrees,
+    Explanation,
+    LineExplained,
+    Option,
+    PhraseExplained,
+    Rival,
+    Weighed,
+)
 
-__all__ = ["Contribution", "Explanation", "Judged", "PhraseExplained", "Rival", "Weighed", "explain", "told"]
+__all__ = [
+    "Contribution", "Degrees", "Explanation", "LineExplained", "Option", "PhraseExplained", "Rival", "Weighed",
+    "explain", "told",
+]  # fmt: skip

@@ -15,7 +15,7 @@ from grounding.world import World
 MOST = 9  # panels
 _REASONS = 3
 _NOTES = {
-    "objects": "how well each is what is meant", "sets": "the likeliest sets", "order": "the order that is meant",
+    "objects": "how well each is what is meant", "sets": "the likeliest sets",
     "degree": "how well it holds of each", "place": "how well each lies there",
 }  # fmt: skip
 
@@ -35,7 +35,7 @@ def draw_explanation(world: World, result: Grounding, explanation: Explanation) 
         if not any(_weights(phrase) == _weights(other) and _contains(other, phrase) for other in kept):
             kept.append(phrase)
     panels = [
-        Panel(phrase.text, _weights(phrase), _note(phrase), answer, MARKS[0] if i == 0 else INK, _labels(phrase))
+        Panel(phrase.text, _weights(phrase), _note(phrase), answer, MARKS[0] if i == 0 else INK)
         for i, phrase in enumerate(kept[:MOST])
     ]
     if not panels:
@@ -46,27 +46,19 @@ def draw_explanation(world: World, result: Grounding, explanation: Explanation) 
 
 
 def _weights(phrase: PhraseExplained) -> dict[str, float]:
-    """The weights of the graded reading, or else the probabilities of the objects by the factors."""
+    """The weights of a phrase, or else the probabilities of the objects that the result says it means."""
     if phrase.weighed is not None and any(phrase.weighed.weights.values()):
         return dict(phrase.weighed.weights)
-    return {j.symbol.id: j.probability for j in phrase.symbols if isinstance(j.symbol, ObjectSymbol)}
+    return {symbol.id: probability for symbol, probability in phrase.symbols if isinstance(symbol, ObjectSymbol)}
 
 
 def _contains(outer: PhraseExplained, inner: PhraseExplained) -> bool:
     return outer.words[0] <= inner.words[0] and inner.words[1] <= outer.words[1]
 
 
-def _labels(phrase: PhraseExplained) -> dict[str, str]:
-    """Places in an order instead of weights."""
-    if phrase.weighed is None or phrase.weighed.kind != "order":
-        return {}
-    order = sorted(phrase.weighed.weights, key=lambda name: -phrase.weighed.weights[name])  # type: ignore[union-attr]
-    return {name: f"{name} {place}." for place, name in enumerate(order, start=1)}
-
-
 def _note(phrase: PhraseExplained) -> str:
     if phrase.weighed is None:
-        return "by the factors"
+        return ""
     note = _NOTES.get(phrase.weighed.kind, "")
     return f"{note}, {phrase.weighed.note}" if phrase.weighed.note else note
 
@@ -77,7 +69,7 @@ def _rows(result: Grounding, explanation: Explanation) -> list[Row]:
         option = explanation.answer
         sign = "passed" if result.outcome == "grounded" else "object"
         told = f"{option.action} {' '.join(option.objects)}"
-        detail = f"graded readings {option.graded:.2f}, factors {option.factors:.2f}"
+        detail = f"how well it holds: {explanation.truth:.2f}"
         rows.append(Row(sign, told, detail, f"{option.probability:.2f}", MARKS[0]))
     for rival in explanation.rivals:
         reasons = rival.reasons or rival.features

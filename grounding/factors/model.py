@@ -8,10 +8,14 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from grounding.world import Array
+
+if TYPE_CHECKING:
+    from grounding.factors.first_pass import FirstPass
 
 
 @dataclass(frozen=True, eq=False)
@@ -67,8 +71,10 @@ class Scorer:
 
     def values(self, facts: Iterable[str]) -> list[float]:
         """The weight of every role in a context, by column."""
-        rows = [row for row in map(self.fact_ids.get, facts) if row is not None]
-        return list(self.weights.take(rows, axis=0).sum(axis=0).tolist())
+        known = self.fact_ids
+        rows = [known[fact] for fact in facts if fact in known]
+        summed: list[float] = np.add.reduce(self.weights.take(rows, axis=0)).tolist()
+        return summed
 
     def log_odds(self, family: str, values: Sequence[float], candidates: Iterable[Sequence[str]]) -> list[float]:
         """The log odds of φ = true for candidates of one family, each given by its roles."""
@@ -83,10 +89,13 @@ class FactorModel:
     Attributes:
         factors: by the families' names.
         notes: plain values on how it came about.
+        first_pass: what tells the kinds of symbols that a phrase needs, for hierarchical inference; None where it was
+            not trained.
     """
 
     factors: Mapping[str, Factor]
     notes: Mapping[str, object]
+    first_pass: FirstPass | None = None
 
     @property
     def feature_count(self) -> int:

@@ -1,26 +1,33 @@
-"""Objects, attributes, collections and containers: what is proposed for a phrase, and in which roles."""
+"""Objects and containers: what is proposed for a phrase, and in which roles."""
 
 from __future__ import annotations
 
-import itertools
 from collections.abc import Sequence
 from functools import lru_cache
-from typing import NamedTuple
 
 from grounding.features.discretiser import LOOKS, shape_roles
 from grounding.features.scope import Scope
 from grounding.geometry.masks import indices_of
-from grounding.symbols import Container, ContainerAttribute, ObjectAttribute, ObjectSymbol, ObjectType, Symbol
+from grounding.symbols import Container, ObjectSymbol, ObjectType, Symbol
 
 Proposals = list[tuple[Symbol, list[str]]]
 
-_CHILDREN = ("head", "mod", "inner", "object", "dest", "subject", "part")
+UNWANTED = "unwanted members"
+_ROBOT = Container("robot")
 
 
 def objects(scope: Scope) -> Proposals:
     """Every object that is in some named set; an object's roles are the sets it is in."""
-    layout = scope.layout
     proposals: Proposals = []
+    for index, names in sorted(_memberships(scope).items()):
+        roles = [*dict.fromkeys(names), *dict.fromkeys(map(some, names)), *object_roles(scope, index)]
+        proposals.append((ObjectSymbol(scope.layout.ids[index]), roles))
+    proposals += [(ObjectSymbol(name), roles) for name, roles in sorted(_furniture(scope).items())]
+    return proposals
+
+
+def _memberships(scope: Scope) -> dict[int, list[str]]:
+    """The things that are in some named set, with the names of these sets."""
     members: dict[int, list[str]] = {index: list(names) for index, names in scope.sets.of_object.items()}
     if scope.fitting.kinds:
         for (_, mask), fits in scope.fitting.named.items():
@@ -35,9 +42,12 @@ def objects(scope: Scope) -> Proposals:
     for name, mask in ranked.items():
         for index in indices_of(mask):
             members.setdefault(index, []).append(name)
-    for index, names in sorted(members.items()):
-        roles = [*dict.fromkeys(names), *dict.fromkeys(map(some, names)), *object_roles(scope, index)]
-        proposals.append((ObjectSymbol(layout.ids[index]), roles))
+    return members
+
+
+def _furniture(scope: Scope) -> dict[str, list[str]]:
+    """The furniture that is spoken of, with who speaks of it."""
+    layout = scope.layout
     furniture: dict[str, list[str]] = {name: ["furniture of own container"] for name in scope.own_abstract.hands}
     for role, source in scope.child_sources.items():
         for name in source.furniture:
@@ -47,140 +57,53 @@ def objects(scope: Scope) -> Proposals:
             furniture.setdefault(item.id, []).append("furniture of own type")
         if item.id not in layout.index and ObjectType(item.type) in scope.named:
             furniture.setdefault(item.id, []).append("furniture named")
-    proposals += [(ObjectSymbol(name), roles) for name, roles in sorted(furniture.items())]
-    return proposals
+    return furniture
 
 
 def object_roles(scope: Scope, index: int) -> list[str]:
     """Roles of a thing in what the phrase itself and its children have grounded to."""
-    roles = [f"in own {kind}" for kind, mask in scope.own_abstract.containers if mask >> index & 1]
-    if scope.own_abstract.containers:
+    containers = scope.own_abstract.containers
+    roles = [f"in own {kind}" for kind, mask in containers if mask >> index & 1]
+    if containers:
         roles.append("in own container" if roles else "outside own container")
-    told = list(scope.child_sources.items())
-    if scope.sets.ranked_again:
-        told = [(role, source) for role, source in told if role != "head"]
-    children = [source.objects for _, source in told if source.objects]
-    inside = sum(mask >> index & 1 for mask in children)
-    if children:
-        share = "all" if inside == len(children) else "some" if inside else "none"
-        roles.append(f"in {share} of {min(len(children), 2)}")
-    for role, source in told:
-        if source.objects >> index & 1:
-            roles.append(f"in {role}")
-            if source.objects & (source.objects - 1) == 0:
-                roles.append(f"is {role}")
+    told = scope.told_objects
+    if told:
+        inside = [named for mask, named in told if mask >> index & 1]
+        share = "all" if len(inside) == len(told) else "some" if inside else "none"
+        roles.append(f"in {share} of {min(len(told), 2)}")
+        for named in inside:
+            roles += named
     return roles
-
-
-class Parts(NamedTuple):
-    """What an attribute can be made of, with who says each part; `others` are its ranks or its counts."""
-
-    types: dict[str | None, str]
-    colors: dict[str | None, str]
-    relations: dict[str | None, str]
-    others: dict[int | None, str]
-
-
-NO_PARTS = Parts({}, {}, {}, {})
-
-
-def attributes(scope: Scope) -> Proposals:
-    """Object attributes from what the phrase, its head and its modifiers speak of, and those of the children."""
-    parts = attribute_parts(scope)
-    found: dict[ObjectAttribute, list[str]] = {}
-    for t, c, r, i in itertools.product(*parts):
-        found[ObjectAttribute(t, c, r, i)] = attribute_roles(
-            parts.types[t], parts.colors[c], parts.relations[r], parts.others[i]
-        )
-    for role, source in scope.child_sources.items():
-        for attribute in source.attributes:
-            found.setdefault(attribute, []).append(f"is {role}")
-    return list(found.items())
-
-
-def attribute_roles(type_: str, color: str, relation: str, index: str) -> list[str]:
-    """Roles of an object attribute, from who says its parts."""
-    return [f"type {type_}", f"color {color}", f"relation {relation}", f"index {index}", f"ranks {relation}|{index}"]
-
-
-def attribute_parts(scope: Scope) -> Parts:
-    """All types, colours, relations and indices that object attributes can be made of."""
-    own, head, mod = scope.own, scope.source("head"), scope.source("mod")
-    if not (own.types or head.attributes):
-        return NO_PARTS
-    heads = head.attributes[0] if head.attributes else None
-    types: dict[str | None, str] = {}
-    colors: dict[str | None, str] = {}
-    relations: dict[str | None, str] = {}
-    indices: dict[int | None, str] = {}
-    for value in own.types:
-        types.setdefault(value, "own")
-    for value in own.colors:
-        colors.setdefault(value, "own")
-    for value in own.relations:
-        relations.setdefault(value, "own")
-    for index in own.indices:
-        indices.setdefault(index, "own")
-    if heads is not None:
-        types.setdefault(heads.object_type, "head")
-        colors.setdefault(heads.color, "head")
-        relations.setdefault(heads.relation, "head")
-        indices.setdefault(heads.index, "head")
-    for value in mod.relations:
-        relations.setdefault(value, "mod")
-    for index in mod.indices:
-        indices.setdefault(index, "mod")
-    colors.setdefault(None, "unsaid" if colors else "none")
-    relations.setdefault(None, "unsaid" if relations else "none")
-    indices.setdefault(1, "first")
-    indices.setdefault(None, "none" if len(indices) == 1 else "unsaid")
-    return Parts(types, colors, relations, indices)
-
-
-def collections(scope: Scope) -> Proposals:
-    """Container attributes from what the phrase and its head speak of, and those of the children."""
-    parts = collection_parts(scope)
-    found: dict[ContainerAttribute, list[str]] = {}
-    for t, c, r, n in itertools.product(*parts):
-        found[ContainerAttribute(t, c, r, n)] = collection_roles(
-            parts.types[t], parts.colors[c], parts.relations[r], parts.others[n]
-        )
-    for role, source in scope.child_sources.items():
-        for collection in source.collections:
-            found.setdefault(collection, []).append(f"is {role}")
-    return list(found.items())
-
-
-def collection_roles(type_: str, color: str, relation: str, number: str) -> list[str]:
-    """Roles of a container attribute, from who says its parts."""
-    return [f"type {type_}", f"color {color}", f"relation {relation}", f"number {number}",
-            f"all {type_}|{color}|{relation}|{number}"]  # fmt: skip
-
-
-def collection_parts(scope: Scope) -> Parts:
-    """All types, colours, relations and counts that container attributes can be made of."""
-    own = scope.own
-    if not (own.types or own.numbers or scope.plural or scope.universal):
-        return NO_PARTS
-    types: dict[str | None, str] = dict.fromkeys(own.types, "own")
-    colors: dict[str | None, str] = dict.fromkeys(own.colors, "own")
-    relations: dict[str | None, str] = dict.fromkeys(own.relations, "own")
-    numbers: dict[int | None, str] = dict.fromkeys(own.numbers, "own")
-    types.setdefault(None, "unsaid" if types else "none")
-    colors.setdefault(None, "unsaid" if colors else "none")
-    relations.setdefault(None, "unsaid" if relations else "none")
-    if not numbers:
-        numbers.setdefault(scope.sets.base.bit_count(), "counted")
-    numbers.setdefault(None, "unsaid" if own.numbers else "none")
-    return Parts(types, colors, relations, numbers)
 
 
 def containers(scope: Scope) -> Proposals:
     """Arrangements that fit what is said, groups that are named sets, and the children's containers."""
-    found: dict[tuple[str, int], list[str]] = {}
+    found, sets = _named_containers(scope), scope.sets
+    proposals: Proposals = _robots(scope)
+    shapes = shape_roles(scope.layout).of(found)
+    of_kind = {kind: (kind_roles(scope, kind), part_roles_of(scope, kind)) for kind, _ in found}
+    of_count = {count: count_roles(scope, count) for count in {mask.bit_count() for _, mask in found}}
+    unwanted, names_of = ~scope.fitting.wanted, scope.layout.names
+    for ((kind, mask), roles), shape in zip(found.items(), shapes, strict=True):
+        by_kind, wholes = of_kind[kind]
+        roles += by_kind
+        roles += of_count[mask.bit_count()]
+        if mask & unwanted:
+            roles.append(UNWANTED)
+        roles += shape
+        if mask in sets.by_mask:
+            roles += look_roles(scope, mask, shape)
+        for whole, parts in wholes:
+            if mask != whole and not mask & ~whole:
+                roles += parts
+        proposals.append((Container(kind, names_of(mask)), roles))
+    return proposals
+
+
+def _named_containers(scope: Scope) -> dict[tuple[str, int], list[str]]:
+    """The containers that come about somehow, by kind and members, with the names of how they do."""
     fitting, sets = scope.fitting, scope.sets
-    for key, names in fitting.named.items():
-        found[key] = [*names]
+    found = {key: [*names] for key, names in fitting.named.items()}
     for mask, names in sets.by_mask.items():
         if mask & (mask - 1):
             found.setdefault(("group", mask), []).extend(names)
@@ -195,13 +118,7 @@ def containers(scope: Scope) -> Proposals:
             found.setdefault(key, []).append(f"is {role}")
         if source.objects & (source.objects - 1) and not source.containers:
             found.setdefault(("group", source.objects), []).append(f"objects of {role}")
-    proposals: Proposals = _robots(scope)
-    shapes = shape_roles(scope.layout).of(found)
-    for ((kind, mask), roles), shape in zip(found.items(), shapes, strict=True):
-        roles += [*kind_roles(scope, kind), *count_roles(scope, mask.bit_count()), *member_roles(scope, mask)]
-        roles += [*shape, *look_roles(scope, mask, shape), *part_roles(scope, kind, mask)]
-        proposals.append((Container(kind, scope.layout.names(mask)), roles))
-    return proposals
+    return found
 
 
 def kind_roles(scope: Scope, kind: str) -> list[str]:
@@ -218,7 +135,7 @@ def count_roles(scope: Scope, count: int) -> list[str]:
 
 def member_roles(scope: Scope, mask: int) -> list[str]:
     """Roles of a container that depend on which its members are, not on where they lie."""
-    return ["unwanted members"] if mask & ~scope.fitting.wanted else []
+    return [UNWANTED] if mask & ~scope.fitting.wanted else []
 
 
 @lru_cache(maxsize=4096)
@@ -241,12 +158,6 @@ def look_roles(scope: Scope, mask: int, shape: Sequence[str]) -> list[str]:
     return [f"some set {look}", *(f"{name} {look}" for name in names), *ways, *(f"{way} {look}" for way in ways)]
 
 
-def part_roles(scope: Scope, kind: str, mask: int) -> list[str]:
-    """Roles of a container within a child's container."""
-    inside = [roles for whole, roles in part_roles_of(scope, kind) if mask != whole and not mask & ~whole]
-    return [role for roles in inside for role in roles]
-
-
 def part_roles_of(scope: Scope, kind: str) -> list[tuple[int, tuple[str, str]]]:
     """The children's containers, with the roles of a container of a kind that lies within."""
     return [
@@ -259,9 +170,10 @@ def part_roles_of(scope: Scope, kind: str) -> list[tuple[int, tuple[str, str]]]:
 def _robots(scope: Scope) -> Proposals:
     """The robot as the container of its recorded hands, where it is spoken of."""
     found: dict[tuple[str, ...], list[str]] = {}
-    hands = tuple(item.id for item in scope.layout.world.objects if item.type == "robot")
-    if hands and (scope.own.robot or Container("robot") in scope.named):
-        found.setdefault(hands, []).append("robot of own")
+    if scope.own.robot or _ROBOT in scope.named:
+        hands = tuple(item.id for item in scope.layout.world.objects if item.type == "robot")
+        if hands:
+            found[hands] = ["robot of own"]
     for role, source in scope.child_sources.items():
         if source.hands:
             found.setdefault(source.hands, []).append(f"robot of {role}")

@@ -6,7 +6,7 @@ those that the words or a child speak of.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 from grounding.features.context import named_how
 from grounding.features.scope import Scope
@@ -28,10 +28,10 @@ from grounding.symbols import (
 
 Proposals = list[tuple[Symbol, list[str]]]
 
-_SPATIAL = tuple(SpatialReference(name) for name in SPATIAL_REFERENCES)
-_KINDS = tuple(Container(kind) for kind in CONTAINER_KINDS)
-_VERBS = tuple(Action(kind) for kind in ACTION_KINDS)
-_COLORS = tuple(ObjectColor(name) for name in known_colors())
+_COUNTERPARTS: dict[Symbol | None, Symbol] = {
+    SpatialReference(a): SpatialReference(b) for pair in UPRIGHT.items() for a, b in (pair, pair[::-1])
+}
+"""What a direction may stand for on a table that is seen from above, and upright: top is back, bottom is front."""
 _IDENTIFIED = (SpatialReference, Container, Action, ObjectType)  # kinds whose members are worth weights of their own
 
 
@@ -39,11 +39,8 @@ def judged(scope: Scope, symbols: Iterable[Symbol]) -> Proposals:
     """Concrete symbols with their roles: how words name them, what the children say of them."""
     proposals: Proposals = []
     for symbol in symbols:
-        roles = named_how(scope, symbol)
-        if isinstance(symbol, _IDENTIFIED):
-            mirrored = isinstance(symbol, SpatialReference) and symbol.name in ("left", "right")
-            roles.append("is a side" if mirrored else f"is {symbol}")
-        if isinstance(symbol, SpatialReference) and scope.named.keys() & _upright(symbol):
+        roles = [*named_how(scope, symbol), *_identity(symbol)]
+        if isinstance(symbol, SpatialReference) and _COUNTERPARTS.get(symbol) in scope.named:
             roles.append(f"{symbol.name} where {'things are stacked' if scope.layout.has_stacks else 'all is level'}")
         elif isinstance(symbol, Container) and _named_less(scope, symbol):
             roles.append("another kind is named more")
@@ -54,11 +51,38 @@ def judged(scope: Scope, symbols: Iterable[Symbol]) -> Proposals:
     return proposals
 
 
-def _upright(symbol: SpatialReference) -> frozenset[SpatialReference]:
-    """What a direction may stand for on a table that is seen from above, and upright: top is back, bottom is front."""
-    pairs = {SpatialReference(up): SpatialReference(flat) for up, flat in UPRIGHT.items()}
-    other = pairs.get(symbol) or {flat: up for up, flat in pairs.items()}.get(symbol)
-    return frozenset() if other is None else frozenset([other])
+class Closed:
+    """All symbols of a closed family; what nothing speaks of has the same roles in every phrase, made once."""
+
+    def __init__(self, symbols: Sequence[Symbol]) -> None:
+        self._symbols = symbols
+        self._places = {symbol: i for i, symbol in enumerate(symbols)}
+        self._unspoken: Proposals = [(symbol, ["not named", *_identity(symbol)]) for symbol in symbols]
+
+    def judged(self, scope: Scope) -> Proposals:
+        """The same as `judged` of all symbols."""
+        proposals = self._unspoken.copy()
+        for place in self._spoken(scope):
+            proposals[place : place + 1] = judged(scope, self._symbols[place : place + 1])
+        return proposals
+
+    def _spoken(self, scope: Scope) -> Iterable[int]:
+        """Places of the symbols that the phrase or its children speak of, or that what it says bears upon."""
+        touched = [symbol for symbol in scope.named if symbol in self._places]
+        if touched and isinstance(touched[0], Container):
+            return range(len(self._symbols))  # one that is named makes the others named less
+        touched += [_COUNTERPARTS[symbol] for symbol in touched if symbol in _COUNTERPARTS]
+        for source in scope.child_sources.values():
+            touched += [symbol for symbol in source.symbols if symbol in self._places]
+        return {self._places[symbol] for symbol in touched}
+
+
+def _identity(symbol: Symbol) -> list[str]:
+    """The role that tells which symbol it is, of kinds where that is worth weights."""
+    if not isinstance(symbol, _IDENTIFIED):
+        return []
+    mirrored = isinstance(symbol, SpatialReference) and symbol.name in ("left", "right")
+    return ["is a side" if mirrored else f"is {symbol}"]
 
 
 def _named_less(scope: Scope, symbol: Container) -> bool:
@@ -73,6 +97,12 @@ def _spoken(scope: Scope, kind: type) -> list[Symbol]:
     for source in scope.child_sources.values():
         found += [symbol for symbol in source.symbols if isinstance(symbol, kind)]
     return sorted(dict.fromkeys(found), key=str)
+
+
+_SPATIAL = Closed(tuple(SpatialReference(name) for name in SPATIAL_REFERENCES))
+_KINDS = Closed(tuple(Container(kind) for kind in CONTAINER_KINDS))
+_VERBS = Closed(tuple(Action(kind) for kind in ACTION_KINDS))
+_COLORS = Closed(tuple(ObjectColor(name) for name in known_colors()))
 
 
 def types(scope: Scope) -> Proposals:
@@ -90,12 +120,12 @@ def types(scope: Scope) -> Proposals:
 
 def colors(scope: Scope) -> Proposals:
     """All known colours."""
-    return judged(scope, _COLORS)
+    return _COLORS.judged(scope)
 
 
 def spatial_references(scope: Scope) -> Proposals:
     """All spatial references."""
-    return judged(scope, _SPATIAL)
+    return _SPATIAL.judged(scope)
 
 
 def cardinals(scope: Scope) -> Proposals:
@@ -114,9 +144,9 @@ def ordinals(scope: Scope) -> Proposals:
 
 def kinds(scope: Scope) -> Proposals:
     """All kinds of container, without their objects."""
-    return judged(scope, _KINDS)
+    return _KINDS.judged(scope)
 
 
 def verbs(scope: Scope) -> Proposals:
     """All kinds of action, without their objects."""
-    return judged(scope, _VERBS)
+    return _VERBS.judged(scope)

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from grounding.features import abstract
+from grounding.features import attributes
 from grounding.features.blocks import Block, Space, make_slot, make_space
 from grounding.features.scope import Scope
 from grounding.language.lexicon import known_colors
@@ -23,14 +23,14 @@ Listed = list[tuple[Symbol, list[str]]]
 def every_attribute(scope: Scope, proposals: Listed) -> Space:
     """Types x colours x relations x ranks."""
     ranks = (None, *range(1, largest_number(scope.layout.size) + 1), LAST)
-    block = _product(ObjectAttribute, scope, ranks, abstract.attribute_parts(scope), abstract.attribute_roles)
+    block = _product(ObjectAttribute, scope, ranks, attributes.attribute_parts(scope), attributes.attribute_roles)
     return make_space(proposals, [block])
 
 
 def every_collection(scope: Scope, proposals: Listed) -> Space:
     """Types x colours x relations x counts."""
     counts = (None, *range(1, largest_number(scope.layout.size) + 1))
-    block = _product(ContainerAttribute, scope, counts, abstract.collection_parts(scope), abstract.collection_roles)
+    block = _product(ContainerAttribute, scope, counts, attributes.collection_parts(scope), attributes.collection_roles)
     return make_space(proposals, [block])
 
 
@@ -38,7 +38,7 @@ def _product(
     make: type[ObjectAttribute] | type[ContainerAttribute],
     scope: Scope,
     last: Sequence[int | None],
-    parts: abstract.Parts,
+    parts: attributes.Parts,
     roles: Callable[[str, str, str, str], list[str]],
 ) -> Block:
     """All combinations of parts, in the order of `grounding.space`."""

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import NamedTuple
 
-from grounding.features import abstract, acting, concrete
+from grounding.features import abstract, acting, attributes, concrete
 from grounding.features.scope import Scope
 from grounding.symbols import (
     Action,
@@ -52,8 +52,8 @@ FAMILIES: tuple[Family, ...] = (
     Family("kind", 0, concrete.kinds),
     Family("verb", 0, concrete.verbs),
     Family("object", 2, abstract.objects),
-    Family("attribute", 1, abstract.attributes),
-    Family("collection", 1, abstract.collections),
+    Family("attribute", 1, attributes.attributes),
+    Family("collection", 1, attributes.collections),
     Family("container", 1, abstract.containers),
     Family("region", 1, acting.regions),
     Family("action", 2, acting.actions),

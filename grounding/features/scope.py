@@ -8,6 +8,7 @@ from grounding.features.fitting import Fitting
 from grounding.features.sets import NamedSets
 from grounding.features.sources import NOTHING, Source, child_roles, digest, merge
 from grounding.geometry.layout import Layout
+from grounding.geometry.masks import single
 from grounding.language.lexicon import is_plural, is_universal, meanings
 from grounding.language.tree import Phrase
 from grounding.lazy import lazy
@@ -76,6 +77,16 @@ class Scope:
         for role, symbols in zip(child_roles(self.phrase), self.children, strict=True):
             found.setdefault(role, []).append(digest(symbols, self.layout))
         return {role: s[0] if len(s) == 1 else merge(s, self.layout) for role, s in found.items()}
+
+    @lazy
+    def told_objects(self) -> tuple[tuple[int, tuple[str, ...]], ...]:
+        """The objects that each child has grounded to, if any, with the roles that its members have."""
+        left_out = "head" if self.sets.ranked_again else None
+        return tuple(
+            (source.objects, (f"in {role}", f"is {role}") if single(source.objects) else (f"in {role}",))
+            for role, source in self.child_sources.items()
+            if source.objects and role != left_out
+        )
 
     @lazy
     def below(self) -> Source:

@@ -11,11 +11,13 @@ import math
 from collections import OrderedDict
 from collections.abc import Sequence
 
+from grounding.factors.first_pass import FirstPass
 from grounding.factors.model import FactorModel
 from grounding.features import STAGES, Scope
 from grounding.features.context import context_facts
 from grounding.geometry.layout import Layout
-from grounding.inference.engine import Children, Memory, Tally, context_key, ground, sigmoid
+from grounding.inference.engine import Children, Kept, Memory, Tally, context_key, families, ground, sigmoid
+from grounding.inference.first_pass import Restriction
 from grounding.inference.hypotheses import Hypothesis, Inference, best_sets
 from grounding.language.tree import Phrase
 from grounding.symbols import Symbol
@@ -34,10 +36,20 @@ class Adcg:
         threshold: p_T; concrete symbols less likely than this take no part in what is proposed.
         beam: how many hypotheses a phrase keeps.
         least: hypotheses less likely than the best by this factor are dropped.
+        first_pass: if given, only symbols of those kinds are proposed that it says a phrase needs.
     """
 
-    def __init__(self, model: FactorModel, threshold: float = 0.05, beam: int = 4, least: float = 0.02) -> None:
+    def __init__(
+        self,
+        model: FactorModel,
+        threshold: float = 0.05,
+        beam: int = 4,
+        least: float = 0.02,
+        first_pass: FirstPass | None = None,
+    ) -> None:
         self.model = model
+        self.first_pass = first_pass
+        self.restriction = None if first_pass is None else Restriction(first_pass)
         self.threshold = threshold
         self.beam = beam
         self.least = math.log(least)
@@ -64,18 +76,21 @@ class Adcg:
             layout: the world, measured.
             memory: phrases grounded before in this world, shared between the parses of one sentence.
         """
-        run = _Run(self, layout, {} if memory is None else memory)
+        tally = Tally()
+        kept = None if self.restriction is None else self.restriction.kept(tree, layout, tally)
+        run = _Run(self, layout, {} if memory is None else memory, kept, tally)
         return run.tally.inference(tree, ground(tree, run.local, self.beam, self.least))
 
 
 class _Run:
     """One tree in one world."""
 
-    def __init__(self, settings: Adcg, layout: Layout, memory: Memory) -> None:
+    def __init__(self, settings: Adcg, layout: Layout, memory: Memory, kept: Kept | None, tally: Tally) -> None:
         self.settings = settings
         self.layout = layout
         self.memory = memory
-        self.tally = Tally()
+        self.kept = kept
+        self.tally = tally
 
     def local(self, phrase: Phrase, children: Children) -> list[Hypothesis]:
         """The likeliest groundings of one phrase, given those of its children."""
@@ -105,7 +120,7 @@ class _Run:
         facts = tuple(context_facts(scope))
         said = tuple(sorted((role, source.concrete) for role, source in scope.child_sources.items()))
         key = (facts, tuple(word.text for word in scope.phrase.words), said, scope.layout.types,
-               scope.layout.has_stacks, scope.layout.size)  # fmt: skip
+               scope.layout.has_stacks, scope.layout.size, families(scope, self.kept))  # fmt: skip
         known = self.settings.remembered(key)
         if known is None:
             known = self.settings.remember(key, self.judge(scope, facts))
@@ -117,7 +132,7 @@ class _Run:
         values = scorer.values(context_facts(scope) if facts is None else facts)
         symbols: list[Symbol] = []
         odds: list[float] = []
-        for family in STAGES[scope.stage]:
+        for family in families(scope, self.kept):
             if family.name in scorer.role_ids:
                 proposals = family.propose(scope)
                 self.tally.add(family.name, len(proposals))

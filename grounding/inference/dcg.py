@@ -13,12 +13,14 @@ from collections.abc import Sequence
 import numpy as np
 
 from grounding.errors import SearchError
+from grounding.factors.first_pass import FirstPass
 from grounding.factors.model import FactorModel, Scorer
-from grounding.features import STAGES, Scope
+from grounding.features import STAGES, Family, Scope
 from grounding.features.context import context_facts
 from grounding.features.exhaustive import every
 from grounding.geometry.layout import Layout
-from grounding.inference.engine import Children, Memory, Tally, context_key, ground, sigmoid
+from grounding.inference.engine import Children, Kept, Memory, Tally, context_key, families, ground, sigmoid
+from grounding.inference.first_pass import Restriction
 from grounding.inference.hypotheses import Hypothesis, Inference, best_sets
 from grounding.language.tree import Phrase
 from grounding.symbols import Symbol
@@ -37,10 +39,15 @@ class Dcg:
         model: the factors; trained with all incorrect combinations as negatives, see `grounding.learning`.
         beam: how many hypotheses a phrase keeps.
         least: hypotheses less likely than the best by this factor are dropped.
+        first_pass: if given, only symbols of those kinds are judged that it says a phrase needs.
     """
 
-    def __init__(self, model: FactorModel, beam: int = 4, least: float = 0.02) -> None:
+    def __init__(
+        self, model: FactorModel, beam: int = 4, least: float = 0.02, first_pass: FirstPass | None = None
+    ) -> None:
         self.model = model
+        self.first_pass = first_pass
+        self.restriction = None if first_pass is None else Restriction(first_pass)
         self.beam = beam
         self.least = math.log(least)
         self.scorers = tuple(model.scorer(family.name for family in families) for families in STAGES)
@@ -58,31 +65,33 @@ class Dcg:
                 thousands of symbols for likely.
         """
         tally = Tally()
+        kept = None if self.restriction is None else self.restriction.kept(tree, layout, tally)
         known: Memory = {} if memory is None else memory
 
         def local(phrase: Phrase, children: Children) -> list[Hypothesis]:
             key = context_key(phrase, children)
             if key not in known:
-                known[key] = self.local(Scope(phrase, children, layout), tally)
+                known[key] = self.local(Scope(phrase, children, layout), tally, kept)
             return known[key]
 
         return tally.inference(tree, ground(tree, local, self.beam, self.least))
 
-    def local(self, scope: Scope, tally: Tally) -> list[Hypothesis]:
+    def local(self, scope: Scope, tally: Tally, kept: Kept | None = None) -> list[Hypothesis]:
         """The likeliest groundings of one phrase, given those of its children."""
         found: list[Hypothesis] = []
-        for concrete, concrete_log, seen in self.judge(scope, tally):
+        for concrete, concrete_log, seen in self.judge(scope, tally, kept):
             settled = scope.with_concrete(concrete)
-            for abstract, abstract_log, also in self.judge(settled, tally):
-                for rest, log, more in self.judge(settled.with_abstract(abstract), tally):
+            for abstract, abstract_log, also in self.judge(settled, tally, kept):
+                for rest, log, more in self.judge(settled.with_abstract(abstract), tally, kept):
                     total = concrete_log + abstract_log + log
                     found.append(Hypothesis(concrete | abstract | rest, total, (), {**seen, **also, **more}))
         found.sort(key=lambda h: -h.log_probability)
         return found[: self.beam]
 
-    def judge(self, scope: Scope, tally: Tally) -> list[Judged]:
+    def judge(self, scope: Scope, tally: Tally, kept: Kept | None = None) -> list[Judged]:
         """The likeliest sets among all symbols of the stage that a scope is in."""
-        likely = likely_symbols(self.scorers[scope.stage], scope, min(self.least, REPORTED_ODDS), tally)
+        least = min(self.least, REPORTED_ODDS)
+        likely = likely_symbols(self.scorers[scope.stage], scope, least, tally, families(scope, kept))
         sets = best_sets(likely.log_odds, self.beam, self.least)
         pairs = zip(likely.symbols, likely.log_odds, strict=True)
         told = {symbol: sigmoid(odds) for symbol, odds in pairs if odds > REPORTED_ODDS}
@@ -104,7 +113,9 @@ class Likely:
         self.rest = 0.0
 
 
-def likely_symbols(scorer: Scorer, scope: Scope, least: float, tally: Tally) -> Likely:
+def likely_symbols(
+    scorer: Scorer, scope: Scope, least: float, tally: Tally, kept: Sequence[Family] | None = None
+) -> Likely:
     """Judge every symbol of a stage.
 
     Args:
@@ -112,11 +123,12 @@ def likely_symbols(scorer: Scorer, scope: Scope, least: float, tally: Tally) -> 
         scope: the phrase.
         least: symbols with log odds below this are summed up.
         tally: told how many symbols were judged.
+        kept: the families that are judged; None: all of the stage.
     """
     found = Likely()
     values = scorer.values(context_facts(scope))
     weights = np.array(values)
-    for family in STAGES[scope.stage]:
+    for family in STAGES[scope.stage] if kept is None else kept:
         column = scorer.role_ids.get(family.name)
         if column is None:
             continue

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import math
 from collections import Counter
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from typing import Protocol
 
 from grounding.factors.model import FactorModel
+from grounding.features import STAGES, Family, Scope
 from grounding.geometry.layout import Layout
 from grounding.inference.hypotheses import Hypothesis, Inference, best_combinations
 from grounding.language.tree import Phrase
@@ -15,6 +16,7 @@ from grounding.symbols import Symbol
 
 Memory = dict[object, list[Hypothesis]]
 Children = tuple[frozenset[Symbol], ...]
+Kept = Mapping[int, frozenset[str]]  # the families that are looked at, by the identity of a phrase
 
 
 class Engine(Protocol):
@@ -52,6 +54,15 @@ class Tally:
     def inference(self, tree: Phrase, hypotheses: list[Hypothesis]) -> Inference:
         """The result of inference."""
         return Inference(tree, tuple(hypotheses), self.evaluations, sum(self.sizes.values()), dict(self.sizes))
+
+
+def families(scope: Scope, kept: Kept | None) -> tuple[Family, ...]:
+    """The families that are judged at the stage of a scope: those that are kept, all of them if nothing is said."""
+    stage = STAGES[scope.stage]
+    if kept is None:
+        return stage
+    names = kept[id(scope.phrase)]
+    return tuple([family for family in stage if family.name in names])
 
 
 def context_key(phrase: Phrase, children: Children) -> object:

@@ -12,6 +12,7 @@ from grounding.language.tree import Phrase
 from grounding.symbols import Symbol
 
 T = TypeVar("T")
+_DECIDED = 40.0  # log odds beyond which a variable's uncertainty, 4e-18, is lost in the sum
 
 
 @dataclass(frozen=True)
@@ -71,11 +72,11 @@ def best_sets(
         (indices of the true variables, log probability), the likeliest first. Assignments differ from the best one by
         flips, each of which costs the variable's absolute log odds.
     """
-    base = frozenset(i for i, odds in enumerate(log_odds) if odds > 0)
-    best = -sum(math.log1p(math.exp(-min(abs(odds), 700.0))) for odds in log_odds)
+    base = frozenset([i for i, odds in enumerate(log_odds) if odds > 0])
+    best = -sum([math.log1p(math.exp(-abs(odds))) for odds in log_odds if -_DECIDED < odds < _DECIDED])
     if count == 1:
         return [(base, best)]
-    cheap = sorted((abs(odds), i) for i, odds in enumerate(log_odds) if abs(odds) <= -least)
+    cheap = sorted([(abs(odds), i) for i, odds in enumerate(log_odds) if least <= odds <= -least])
     found = [(base, best)]
     heap: list[tuple[float, int, tuple[int, ...]]] = [(cheap[0][0], 0, (0,))] if cheap else []
     while heap and len(found) < count:

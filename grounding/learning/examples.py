@@ -1,4 +1,4 @@
-"""Turns annotated examples into the rows that factors are trained on, and trains them.
+"""Turns annotated examples into the rows that factors are trained on.
 
 Every phrase is looked at with its children's annotated groundings and, in the later stages, with its own annotated
 concrete and abstract symbols. All symbols that are not annotated are negatives: those that are proposed or, in worlds
@@ -8,15 +8,14 @@ whose power set can be listed, all of Γ; those that are alike are merged with t
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
 
-from grounding.factors import FactorModel, TrainingSet, train
+from grounding.factors import TrainingSet
 from grounding.features import FAMILIES, STAGES, Scope, family_of
 from grounding.features.context import context_facts
-from grounding.features.discretiser import strictness
 from grounding.features.exhaustive import every
 from grounding.geometry.layout import Layout
 from grounding.inference.engine import context_key
@@ -119,29 +118,3 @@ def _collect_case(
             coverage.annotated[family.name] += times * len(wanted)
             coverage.proposed[family.name] += times * len(found)
             coverage.missing += times * [(case.phrase.text, str(s)) for s in sorted(wanted - found, key=str)]
-
-
-def learn(
-    examples: Iterable[Annotated],
-    penalty: float = 1.0,
-    progress: Callable[[str], None] | None = None,
-    notes: Mapping[str, object] | None = None,
-    negatives: Negatives = PROPOSED,
-) -> FactorModel:
-    """Train all factors.
-
-    Args:
-        examples: annotated trees.
-        penalty: strength of the L2 regularisation.
-        progress: told the name of every family when its turn comes.
-        notes: kept with the weights.
-        negatives: which symbols are negatives beside those that are proposed.
-    """
-    sets, coverage = collect(examples, negatives)
-    factors = {}
-    for name, data in sets.items():
-        if progress is not None:
-            progress(name)
-        factors[name] = train(data, penalty, strictness=strictness)
-    counts = {name: f"{coverage.proposed[name]} of {n}" for name, n in sorted(coverage.annotated.items())}
-    return FactorModel(factors, {"penalty": penalty, "annotated symbols proposed": counts, **(notes or {})})

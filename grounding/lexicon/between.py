@@ -80,6 +80,7 @@ def enclosed(where: Where, scene: Scene, parts: Sequence[Part]) -> Array:
         members = np.maximum(members, likely)
         wanted = part.number or (int(value("enclosure.around")) if len(parts) == 1 else 2)
         held = held * ((1 - miscounted) * at_least(likely, wanted) + miscounted * at_least(likely, wanted - 1))
+    held = held ** (1.0 / max(len(parts), 1))  # what several parts ask for holds as well as they do in the mean
     offset = scene.xy[None] - where.xy[:, None]
     toward = offset / np.maximum(np.linalg.norm(offset, axis=2, keepdims=True), 1e-9)
     pull = np.linalg.norm((members[:, :, None] * toward).sum(axis=1), axis=1)

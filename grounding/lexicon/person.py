@@ -13,7 +13,8 @@ from grounding.world.scene import Scene
 def distance_from(scene: Scene, owner: str) -> Array:
     """How far every object is from somebody [m], shape (n,); sideways counts a little less."""
     offset = scene.xy - scene.viewpoint(owner).position[:2]
-    return np.asarray(np.hypot(offset[:, 0], value("rank.sideways") * offset[:, 1]))
+    along, across = offset @ scene.direction("back", owner), offset @ scene.direction("left", owner)
+    return np.asarray(np.hypot(along, value("rank.sideways") * across))
 
 
 def before(scene: Scene, owner: str, xy: Array | None = None) -> Array:

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import tomllib
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
@@ -48,10 +49,44 @@ class Vocabulary:
         return any(word in entries for entries in self.families.values())
 
 
-@lru_cache(maxsize=1)
 def vocabulary() -> Vocabulary:
-    """The shipped table."""
+    """The table that is in force: the shipped one, where nothing extends it."""
+    return _extra[-1] if _extra else _shipped()
+
+
+@lru_cache(maxsize=1)
+def _shipped() -> Vocabulary:
     return read_vocabulary(WORDS)
+
+
+_extra: list[Vocabulary] = []
+
+
+@contextmanager
+def extended(family: str, value: str, *words: str) -> Iterator[None]:
+    """A table that has further words for as long as the context lasts.
+
+    Args:
+        family: of concepts.
+        value: that the words say.
+        words: to be added.
+
+    Raises:
+        LexiconError: there is no such family, or a word says something else there already.
+    """
+    table = vocabulary()
+    if family not in table.families:
+        raise LexiconError(f"there is no family of concepts [{family}]; known are {', '.join(sorted(table.families))}")
+    for word in words:
+        before = table.value(family, word)
+        if before not in (None, value):
+            raise LexiconError(f"in [{family}] the word {word!r} says {before!r}; it cannot say {value!r} as well")
+    entries = {**table.families[family], **dict.fromkeys(words, (value,))}
+    _extra.append(Vocabulary({**table.families, family: entries}))
+    try:
+        yield
+    finally:
+        _extra.pop()
 
 
 def read_vocabulary(path: Path) -> Vocabulary:
@@ -66,9 +101,8 @@ def read_vocabulary(path: Path) -> Vocabulary:
     """
     data = read_toml(path, "table of words")
     several = data.pop("several", [])
-    known = {name for name in data if isinstance(data[name], dict)}
     if path != WORDS:
-        _check_families(known, path)
+        _check_families(set(data), path)
     families = {}
     for family, entries in data.items():
         if not isinstance(entries, dict):
@@ -92,7 +126,7 @@ def read_toml(path: Path, what: str) -> dict[str, Any]:
 
 
 def _check_families(found: set[str], path: Path) -> None:
-    wanted = set(vocabulary().families)
+    wanted = set(_shipped().families)
     for name in sorted(found - wanted):
         raise LexiconError(f"{path}: there is no family of concepts [{name}]; known are {', '.join(sorted(wanted))}")
     for name in sorted(wanted - found):

@@ -1,1 +1,1 @@
-"""Meanings: what a text speaks of, as referents with conditions, read from phrase trees and printed as readable lines."""
+"""Meanings: what a text speaks of, as referents with conditions that are read from phrase trees."""

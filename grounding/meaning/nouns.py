@@ -246,6 +246,8 @@ class _Reading:
             return
         if w.is_other(text):
             self.said["other"] = True
+            if text == "others":
+                self.said["plural"] = True
             return
         if text in ("stacked", "piled"):
             self.stacked = True

@@ -1,9 +1,9 @@
 """Referents and conditions: what a text speaks of, and what it says of it.
 
-A referent is something spoken of: objects, sets of them, a place, a person. A condition is a concept of the lexicon that
-is said of it, with the other referents to which it relates. Conditions restrict ("red", "left of x"), choose a set of
-which something is a member ("in the row"), or rank ("nearest to x", "third"). Referents are told apart by identity: one
-that is mentioned twice is one.
+A referent is something spoken of: objects, sets of them, a place, a person. A condition is a concept of the lexicon
+that is said of it, with the other referents to which it relates. Conditions restrict ("red", "left of x"), choose a
+set of which something is a member ("in the row"), or rank ("nearest to x", "third"). Referents are told apart by
+identity: one that is mentioned twice is one.
 """
 
 from __future__ import annotations
@@ -13,8 +13,8 @@ from dataclasses import dataclass, replace
 
 OBJECTS, SETS, PLACE, PERSON, TABLE, NOTHING = "objects", "sets", "place", "person", "table", "nothing"
 RESTRICTING = frozenset(
-    "colour toward off_middle measured stepped beside touching apart between surrounded at part on on_table alone before "
-    "same other recalled outside with_others apart_others strange centre".split()
+    "colour toward off_middle measured stepped beside touching apart between surrounded at part on on_table alone "
+    "before same other recalled outside with_others apart_others strange centre relation".split()
 )
 CHOOSING = frozenset("member among those".split())
 RANKING = frozenset("nearest farthest extreme ordinal middle size".split())

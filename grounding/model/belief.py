@@ -49,6 +49,21 @@ class Reading:
     nothing: Case
 
 
+@dataclass(frozen=True)
+class Option:
+    """What is believed of one thing that may be meant.
+
+    Attributes:
+        objects: ids.
+        probability: that these are meant, given that something is.
+        kinds: of action with their shares, the likeliest first.
+    """
+
+    objects: Objects
+    probability: float
+    kinds: tuple[tuple[str, float], ...]
+
+
 @dataclass(frozen=True, eq=False)
 class Belief:
     """What is believed of a text.
@@ -65,9 +80,21 @@ class Belief:
     shares: tuple[float, ...]
     kinds: dict[Objects, tuple[tuple[str, float], ...]]
 
+    @property
+    def nothing(self) -> float:
+        """How likely it is that nothing here is meant."""
+        return self.probability(NOTHING) if self.options else 1.0
+
     def probability(self, objects: Objects) -> float:
-        """That some objects are meant."""
+        """How likely some objects are what is meant."""
         return next((share for names, share in self.options if names == objects), 0.0)
+
+    def listed(self) -> tuple[Option, ...]:
+        """All that may be meant, the likeliest first, given that something is."""
+        something = max(1.0 - self.nothing, 1e-12)
+        return tuple(
+            Option(names, min(share / something, 1.0), self.kinds[names]) for names, share in self.options if names
+        )
 
 
 def read(
@@ -99,10 +126,12 @@ def read(
             goal = _goal(told, evaluator)
             for case in cases:
                 _note(case, parse, parses[0], told, form)
+                case.note(f"target.{_shape(told)}.{told.kind}")
                 _note_within(case, "within", within)
             _note(nothing, parse, parses[0], told, form)
             _note_within(nothing, "nothing.within", within)
             nothing.note("nothing")
+            nothing.note("nothing.words", len(parse.tree.leaves) / 10)
             for name, truth in goal.items():
                 for limit in BINS:
                     if truth < limit:
@@ -131,6 +160,13 @@ def _note_within(case: Case, name: str, within: float) -> None:
     for limit in BINS:
         if within < limit:
             case.note(f"{name}<{limit}")
+
+
+def _shape(told: Told) -> str:
+    """What sort of thing the target is."""
+    target = told.target
+    assert target is not None
+    return "one" if target.sort != SETS else "arrangement" if target.kinds else "several"
 
 
 def _goal(told: Told, evaluator: Evaluator) -> dict[str, float]:

@@ -16,7 +16,7 @@ Weights = Mapping[str, float]
 
 @dataclass(eq=False)
 class Case:
-    """One way to take a referent, for instance one of the rows that "the row" may be, and the candidates that it leaves.
+    """One way to take a referent, such as one of the rows that "the row" may be, with the candidates that it leaves.
 
     Attributes:
         size: how many candidates there are.

@@ -25,6 +25,8 @@ def family(condition: Condition) -> str:
     name = condition.concept
     if condition.concept == "toward" and condition.strict:
         name = "toward.strict"
+    elif condition.concept == "relation":
+        name = f"relation.{condition.words[0]}"
     elif condition.concept == "same" and condition.said:
         name = f"same.{condition.said}"
     elif condition.concept == "at" and condition.region is not None:
@@ -48,6 +50,8 @@ def add_held(case: Case, condition: Condition, held: Held, *, ranked: bool) -> N
     name, truth, preference = family(condition), logarithm(held.truth), logarithm(held.preference)
     case.add("T", truth)
     case.add(f"T.{name}", truth)
+    if condition.said and condition.of:
+        case.add(f"T.{name}:{condition.said}", truth)
     for limit in BINS:
         below = (held.truth < limit).astype(float)
         case.add(f"T<{limit}", below)

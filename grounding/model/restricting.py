@@ -10,6 +10,7 @@ import numpy as np
 from grounding.lexicon import alone, amount, between, colour, direction, nearness, person, place, rank
 from grounding.lexicon.degrees import peak
 from grounding.lexicon.parameters import value
+from grounding.lexicon.relations import relation
 from grounding.lexicon.where import Where
 from grounding.lexicon.words import flat
 from grounding.meaning.referents import Condition, Referent, Region
@@ -143,6 +144,14 @@ def _toward(evaluator: Evaluates, condition: Condition, base: Array) -> Held:
     return _fraction(best_truth, best)
 
 
+def _relation(evaluator: Evaluates, condition: Condition, base: Array) -> Held:
+    """A relation that is a module of the lexicon."""
+    module = relation(condition.words[0])
+    held = module.truth(evaluator.where, evaluator.scene)
+    near = module.preference(evaluator.where, evaluator.scene)
+    return related(evaluator.denote(condition.of[0], base), held, near, condition.of[0].number)
+
+
 def _off_middle(evaluator: Evaluates, condition: Condition, base: Array) -> Held:
     scene = evaluator.scene
     vector = direction.unit(scene, condition.words, condition.owner or evaluator.view)
@@ -265,8 +274,8 @@ def _at(evaluator: Evaluates, condition: Condition, base: Array) -> Held:
         return _plain(np.ones(scene.n))
     spot = evaluator.spot(condition.region)
     if condition.said == "clear":
-        inside = np.all([place.within(scene, spot) @ vector > 0 for vector in spot.directions] or [np.ones(scene.n, bool)], axis=0)
-        return _plain(inside.astype(float))
+        along = [place.within(scene, spot) @ vector > 0 for vector in spot.directions]
+        return _plain(np.all(along, axis=0).astype(float) if along else np.ones(scene.n))
     return Held(place.truth(scene, spot), place.preference(scene, spot, base > 0.5))
 
 
@@ -394,7 +403,9 @@ _RESTRICTING: dict[str, Restricting] = {
     "stepped": _stepped, "beside": _beside, "touching": _touching, "apart": _apart, "between": _between,
     "surrounded": _surrounded, "at": _at, "part": _part, "centre": _centre, "on": _on, "on_table": _on_table,
     "alone": _alone, "before": _before, "same": _same, "other": _other, "recalled": _recalled, "outside": _outside,
-    "apart_others": _apart_others, "with_others": _with_others, "member": _member, "among": _member, "those": _member,
+    "apart_others": _apart_others,
+    "with_others": _with_others, "relation": _relation,
+    "member": _member, "among": _member, "those": _member,
 }  # fmt: skip
 
 

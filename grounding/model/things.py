@@ -144,12 +144,9 @@ def _one(
     for ranked in choose(evaluator, conditions, Pool(salient, kinds, chosen, in_stack), kind):
         add_rank(case, ranked)
         case.truth = case.truth * ranked.truth
-    if not (in_stack or carrying):
-        name = ".vertical" if vertical else ""
-        case.add("buried" + name, (~scene.clear).astype(float))
-        case.add("stacked" + name, (scene.stacked & scene.clear).astype(float))
-    elif carrying:
-        case.add("buried.carrying", (~scene.clear).astype(float))
+    name = ".carrying" if carrying else ".within" if in_stack else ".vertical" if vertical else ""
+    case.add("buried" + name, (~scene.clear).astype(float))
+    case.add("stacked" + name, (scene.stacked & scene.clear).astype(float))
     _presuppose(case, referent, pool, chosen=chosen)
     return case
 

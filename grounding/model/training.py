@@ -97,7 +97,7 @@ class _Builder:
                 self._case(case)
         kept = 0
         for reading in example.readings:
-            for names, case, row in self._aligned(reading):
+            for names, *_ in self._aligned(reading):
                 if names in groups:
                     self.gold.append((start + kept, groups[names]))
                 kept += 1

@@ -3,6 +3,7 @@
 from grounding.world.objects import (
     FURNITURE,
     ROBOT_VIEWPOINT,
+    SCHEMA,
     Array,
     Viewpoint,
     World,
@@ -19,6 +20,7 @@ from grounding.world.objects import (
 __all__ = [
     "FURNITURE",
     "ROBOT_VIEWPOINT",
+    "SCHEMA",
     "Array",
     "Viewpoint",
     "World",

@@ -4,18 +4,16 @@ import subprocess
 import sys
 from pathlib import Path
 
-import numpy as np
 import pytest
-from control_weights import equal_weights, shuffled, trained_on_shuffled
-from deciders import LEARNED, measured, rows_of
+from control_weights import training_texts
+from deciders import measured, rows_of
 from held_out import FROZEN
 from instructions import read_instructions, write_instructions
 
 import models
-from grounding.factors import TrainingSet, load_model
-from grounding.geometry.layout import Layout
 from grounding.grounder import READERS
-from grounding.learning.examples import annotated
+from grounding.learning.beliefs import EQUAL, learn_beliefs
+from grounding.model.storage import load_weights
 
 ROOT = Path(__file__).parents[2]
 
@@ -27,7 +25,7 @@ def few():
 
 
 def test_every_reader_is_left_out_and_alone_once():
-    rows = rows_of(READERS, LEARNED)
+    rows = rows_of(READERS)
     assert len({row.name for row in rows}) == len(rows)
     assert {"all", "equal", "shuffled"} <= {row.name for row in rows}
     for name in READERS:
@@ -38,9 +36,8 @@ def test_every_reader_is_left_out_and_alone_once():
 
 def test_the_share_of_everything_is_that_of_the_grounder(few, grounder):
     instructions, worlds = few
-    model = load_model(models.WEIGHTS)
-    rows = [row for row in rows_of(READERS, LEARNED) if row.name in ("all", "without factors", "only graded", "equal")]
-    weights = {"learned": lambda: model, "equal": lambda: equal_weights(model)}
+    rows = [row for row in rows_of(READERS) if row.name in ("all", "without literal", "only graded", "equal")]
+    weights = {"learned": lambda: load_weights(models.BELIEFS), "equal": lambda: EQUAL}
     told = []
     found = measured(rows, instructions, worlds, weights, grounder.parser, lambda *row: told.append(row))
     right = [i.is_answered_by(grounder.ground(i.text, worlds[i.world], i.history)) for i in instructions]
@@ -49,42 +46,11 @@ def test_the_share_of_everything_is_that_of_the_grounder(few, grounder):
     assert all(0 <= share <= 1 for share in found.values())
 
 
-def test_equal_weights_differ_in_sign_only():
-    model = load_model(models.WEIGHTS)
-    for name, factor in equal_weights(model).factors.items():
-        learned = model.factors[name].weights
-        assert np.array_equal(np.sign(factor.weights), np.sign(learned))
-        assert np.isclose(np.abs(factor.weights).sum(), np.abs(learned).sum())
-        assert len(np.unique(np.abs(factor.weights[learned != 0]).round(12))) == 1
-
-
-def test_shuffling_keeps_all_but_which_are_true():
-    data = TrainingSet()
-    rng = np.random.default_rng(5)
-    for number in range(60):
-        data.add([f"fact {number % 7}"], [([f"role {k}"], k == number % 4) for k in range(4)])
-    other = shuffled(data, rng)
-
-    def totals(rows, key):
-        found = {}
-        for row, count in rows.items():
-            found[key(row)] = found.get(key(row), 0) + count
-        return found
-
-    for key in (lambda row: row[:2], lambda row: row[2]):  # judged as often, and as many true
-        assert totals(other.rows, key) == totals(data.rows, key)
-    assert other.rows != data.rows
-    assert shuffled(data, np.random.default_rng(1)).rows == shuffled(data, np.random.default_rng(1)).rows
-
-
-def test_shuffled_answers_are_trained_on(few):
-    from grounding.corpus.loading import load_corpus
-
-    corpus = load_corpus()
-    examples = [annotated(e.tree, e.groundings, Layout(corpus.worlds[e.world])) for e in corpus.examples[:3]]
-    model = trained_on_shuffled(examples, {"generated": 0})
-    assert model.notes["examples"] == 3
-    assert model.feature_count > 0
+def test_weights_learned_from_shuffled_answers_do_not_know_what_is_meant(grounder):
+    texts = training_texts(grounder, 0)[::40]
+    learned, shuffled = learn_beliefs(texts, grounder), learn_beliefs(texts, grounder, shuffled=0)
+    assert learned["T"] > 2 * shuffled["T"]
+    assert learn_beliefs(texts, grounder, shuffled=0) == shuffled
 
 
 def test_the_command_prints_its_rows(few, tmp_path):

@@ -6,12 +6,12 @@ from hypothesis import strategies as st
 
 from grounding.dialogue import CONFIDENT, decide
 from grounding.geometry.layout import Layout
-from grounding.world.scene import Scene
 from grounding.inference import Hypothesis, Inference
 from grounding.language.tree import from_brackets
 from grounding.readings import Reading
 from grounding.symbols import Action, ObjectAttribute, Region
 from grounding.world import World, make_object
+from grounding.world.scene import Scene
 
 TABLE = make_object("table", "table", position=(0.65, 0, 0.691), size=(0.7, 1.8, 0.04))
 COLORS = ("red", "blue", "green", "yellow")

@@ -378,14 +378,14 @@ def test_a_colour_that_is_taken_for_another_is_told():
 
 
 def without(*names):
-    return Grounder(grounder().parser, grounder().inference, without=names)
+    return Grounder(grounder().parser, grounder().inference, grounder().weights, without=names)
 
 
 @pytest.mark.parametrize("name", READERS)
 def test_a_reader_that_is_left_out_believes_in_nothing(name):
     understood = without(name).understand("pick up the leftmost block", scene("four"))
     believes = {
-        "factors": any(reading.actions for reading in understood.readings),
+        "meanings": any(reading.place >= 0 for reading in understood.belief.readings),
         "graded": bool(understood.graded.options),
         "literal": bool(understood.literal.options),
     }
@@ -409,5 +409,5 @@ def test_each_reader_answers_what_is_plain_by_itself(name):
 
 
 def test_readers_that_are_not_there_cannot_be_left_out():
-    with pytest.raises(GroundingError, match=r"'oracle'.*factors, graded, literal"):
+    with pytest.raises(GroundingError, match=r"'oracle'.*meanings, graded, literal"):
         without("oracle")

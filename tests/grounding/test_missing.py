@@ -7,10 +7,10 @@ import pytest
 import models
 from grounding import Grounder, load_world, make_object
 from grounding.geometry.layout import Layout
-from grounding.world.scene import Scene
 from grounding.language.parser import Parser
 from grounding.missing import unknown_things, whats_missing
 from grounding.world import World
+from grounding.world.scene import Scene
 
 
 @functools.cache

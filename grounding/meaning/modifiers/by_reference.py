@@ -9,6 +9,7 @@ from collections.abc import Callable
 from dataclasses import replace
 
 from grounding.lexicon import words as w
+from grounding.lexicon.vocabulary import vocabulary
 from grounding.meaning.modifiers.enclosing import enclosing
 from grounding.meaning.modifiers.heard import Heard
 from grounding.meaning.nouns import Noun
@@ -54,6 +55,14 @@ def _by_somebody(reader: Reads, heard: Heard, noun: Noun, reference: Referent) -
     if names:
         return [Condition("before", (reference,), names)]
     return [Condition("nearest", (reference,), rank=heard.ordinal, said="near")] if heard.said.distance else []
+
+
+def _relation(reader: Reads, heard: Heard, noun: Noun, reference: Referent) -> list[Condition] | None:
+    """For example "diagonal from the tower": a relation that is a module of the lexicon."""
+    named = [(name, text) for text in heard.texts for name in vocabulary().values("relation", text)]
+    if not named or reference.sort not in _THINGS:
+        return None
+    return [Condition("relation", (reference,), (named[0][0],), said=named[0][1])]
 
 
 def _toward(reader: Reads, heard: Heard, noun: Noun, reference: Referent) -> list[Condition] | None:
@@ -121,6 +130,7 @@ BY_REFERENCE: tuple[ReferenceReading, ...] = (
     _outside,
     _apart,
     _by_somebody,
+    _relation,
     _toward,
     _touching,
     _beside,

@@ -81,7 +81,8 @@ def hear(phrase: Phrase, further: tuple[str, ...] = ()) -> Heard:
         texts += [word.text for word in _without_emphasis(nested.words)]
         nested = None
     noun = read_noun(child) if child is not None else None
-    strict = any(w.is_strict(text) for text in texts) or len(leaves) < len(phrase.words)
+    emphasized = len(leaves) < len(phrase.words)
+    strict = emphasized or any(w.is_strict(text) and not w.directions(text) for text in texts)
     return Heard(further, said, texts, nested, child, noun, measure, counting, strict)
 
 

@@ -25,7 +25,7 @@ def relate(reader: Reads, phrase: Phrase, head: Noun, further: tuple[str, ...] =
     """
     heard = hear(phrase, further)
     if heard.nested is not None:
-        return reader.conditions(heard.nested, head)
+        return [_narrowed(condition, heard) for condition in reader.conditions(heard.nested, head)]
     noun = heard.noun
     if heard.said.lone or (noun is not None and noun.lone and not noun.colors and not noun.modifiers):
         return [Condition("alone")]
@@ -44,6 +44,15 @@ def relate(reader: Reads, phrase: Phrase, head: Noun, further: tuple[str, ...] =
         if (found := by_reference(reader, heard, noun, reference)) is not None:
             return found
     return []
+
+
+def _narrowed(condition: Condition, heard: Heard) -> Condition:
+    """A condition with what stands before its phrase: "almost" "touching X", "directly" "behind X"."""
+    if condition.concept == "touching" and any(w.is_nearly(text) for text in heard.texts):
+        return replace(condition, nearly=True)
+    if condition.concept in ("toward", "off_middle", "beside") and heard.strict:
+        return replace(condition, strict=True)
+    return condition
 
 
 def _is_elliptic(heard: Heard) -> bool:

@@ -1,6 +1,7 @@
 """`python -m grounding train`: the same corpus gives the same bytes; what cannot be used leaves nothing behind."""
 
 import json
+from dataclasses import replace
 
 import pytest
 
@@ -8,6 +9,7 @@ import models
 from grounding import Grounder, load_world
 from grounding.__main__ import main
 from grounding.corpus.format import read_corpus
+from grounding.factors import load_model, save_model
 from grounding.language.grammar import Grammar
 
 FILES = ["grammar.json", "grammar.tables", "weights.json", "weights.npz"]
@@ -49,6 +51,26 @@ def test_the_same_corpus_gives_the_same_bytes(small, capsys):
     grounder = Grounder.load(small / "first" / "grammar.json", small / "first" / "weights")
     result = grounder.ground("take the leftmost block", load_world(models.SCENES / "four.json"))
     assert result.outcome in ("grounded", "ambiguous", "no_referent", "not_understood")
+
+
+def test_a_first_pass_is_added_to_factors_that_stay(small, capsys):
+    assert train(small, small / "out") == 0
+    whole = load_model(small / "out" / "weights")
+    save_model(replace(whole, first_pass=None), small / "out" / "weights")
+    before = load_model(small / "out" / "weights")
+    assert train(small, small / "out", "--first-pass-only") == 0
+    again = load_model(small / "out" / "weights")
+    assert before.first_pass is None
+    assert again.first_pass.threshold == whole.first_pass.threshold
+    assert again.first_pass.factor.facts == whole.first_pass.factor.facts
+    for name, factor in before.factors.items():
+        assert (again.factors[name].weights == factor.weights).all()
+    assert json.loads(capsys.readouterr().out.splitlines()[-1])["features of the first pass"] > 0
+
+
+def test_a_first_pass_needs_factors_beside_it(small, capsys):
+    assert train(small, small / "out", "--first-pass-only") == 2
+    assert "no such weights" in capsys.readouterr().err
 
 
 def test_the_grammar_can_be_learned_alone(small, capsys):

@@ -50,6 +50,20 @@ def test_other_engines_are_run_up_to_their_size_only():
     assert len(sizes["adcg"]) == 3
 
 
+def test_kept_kinds_are_counted_where_there_is_a_first_pass(tmp_path):
+    settings = Settings(inference=("adcg", "hadcg"))
+    trial = run_trial(tiny(), Split("random", 0.5, 0, EVERYTHING, EVERYTHING), settings, settings.variants)
+    for row in trial["rows"]:
+        if row["inference"] == "hadcg":
+            assert 0 <= row["kinds kept"] <= row["kinds needed"] > 0
+        else:
+            assert "kinds kept" not in row
+        assert row["evaluations"] > 0
+    told = report(write_results(tmp_path, tiny(), [trial], settings, {}))
+    assert "kinds" in told
+    assert "by adcg" in told
+
+
 def test_every_split_is_tested_on_what_was_held_out(splits, finished):
     _, trials, told = finished
     assert told[0] == (2, 0)

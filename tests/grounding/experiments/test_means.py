@@ -58,3 +58,22 @@ def test_methods_are_compared_on_what_both_were_run_on():
     assert (pair.inference, pair.examples, pair.blocks) == ("dcg", 1, 4)
     assert pair.root == (1.0, 0.0)
     assert pair.same == 1.0
+
+
+def hierarchical(name, root, kept, **rest):
+    return {**row(name, root, **rest), "evaluations": 4, "kinds kept": kept, "kinds needed": 8}
+
+
+def test_kept_kinds_are_a_measure_of_methods_with_a_first_pass_only():
+    rows = [row("a", True), *(hierarchical(name, True, kept, inference="hadcg") for name, kept in (("a", 8), ("b", 6)))]
+    found = {r.inference: r.mean for r in summarise([trial(0, rows)]) if (r.measure, r.slice) == ("kinds", ALL)}
+    assert found == {"hadcg": pytest.approx(14 / 16)}
+
+
+def test_hierarchical_methods_stand_beside_what_they_restrict():
+    rows = [row("a", True), hierarchical("a", False, 8, inference="hadcg"), row("a", True, inference="dcg"),
+            hierarchical("a", True, 8, inference="hdcg")]  # fmt: skip
+    pairs = {(pair.inference, pair.against): pair for pair in compare([trial(0, rows)])}
+    assert set(pairs) == {("hadcg", "adcg"), ("dcg", "adcg"), ("hdcg", "adcg"), ("hdcg", "dcg")}
+    assert pairs["hadcg", "adcg"].root == (1.0, 0.0)
+    assert pairs["hdcg", "dcg"].evaluations == (10.0, 4.0)

@@ -2,6 +2,8 @@
 
 import json
 import pickle
+import zipfile
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -10,7 +12,7 @@ from hypothesis import strategies as st
 
 import models
 from grounding.errors import ModelError
-from grounding.factors import Factor, FactorModel, load_model, save_model
+from grounding.factors import Factor, FactorModel, FirstPass, load_model, save_model
 
 
 def model(seed=0):
@@ -131,3 +133,57 @@ def test_a_pickle_is_never_read(saved):
     np.savez(saved.with_suffix(".npz"), **{f"object.{part}": names for part in ("rows", "columns", "weights")})
     with pytest.raises(ModelError, match="damaged weights"):
         load_model(saved)
+
+
+def with_first_pass(threshold=0.0125):
+    weights = np.round(np.random.default_rng(3).normal(size=(4, 2)), 5)
+    factor = Factor(("a", "b", "c ä", "d"), ("object", "type"), weights)
+    return replace(model(), first_pass=FirstPass(factor, threshold))
+
+
+@pytest.fixture
+def saved_with_first_pass(tmp_path):
+    save_model(with_first_pass(), tmp_path / "weights")
+    return tmp_path / "weights"
+
+
+def test_a_first_pass_is_written_and_read(saved_with_first_pass, tmp_path):
+    again, written = load_model(saved_with_first_pass).first_pass, with_first_pass().first_pass
+    assert again.threshold == written.threshold
+    assert (again.factor.facts, again.kinds) == (written.factor.facts, written.kinds)
+    np.testing.assert_allclose(again.factor.weights, written.factor.weights, atol=1e-5)
+    save_model(load_model(saved_with_first_pass), tmp_path / "again")
+    assert contents(saved_with_first_pass) == contents(tmp_path / "again")
+
+
+def test_a_first_pass_leaves_the_factors_as_they_are(saved, tmp_path):
+    save_model(replace(load_model(saved), first_pass=with_first_pass().first_pass), tmp_path / "more")
+    with zipfile.ZipFile(saved.with_suffix(".npz")) as before, zipfile.ZipFile(tmp_path / "more.npz") as now:
+        for name in before.namelist():
+            assert before.read(name) == now.read(name)
+    before, now = (json.loads(path.with_suffix(".json").read_text()) for path in (saved, tmp_path / "more"))
+    assert {**now, "sha256": before["sha256"]} == {**before, "first_pass": now["first_pass"]}
+    assert load_model(saved).first_pass is None
+
+
+def test_without_a_first_pass_the_files_are_as_before(saved, tmp_path):
+    save_model(replace(with_first_pass(), first_pass=None), tmp_path / "none")
+    assert contents(saved) == contents(tmp_path / "none")
+
+
+@pytest.mark.parametrize(
+    "damage",
+    [
+        3, [], {}, None, "x", {"facts": ["a"], "roles": ["object"]}, {"threshold": "much"}, {"threshold": True},
+        {"threshold": 1.5}, {"threshold": -1}, {"threshold": None}, {"facts": []}, {"facts": 3},
+        {"facts": [1, 2, 3, 4]}, {"roles": None}, {"roles": ["object"]}, {"roles": [[], []]},
+    ],
+)  # fmt: skip
+def test_a_damaged_first_pass_is_refused(saved_with_first_pass, damage):
+    path = saved_with_first_pass.with_suffix(".json")
+    data = json.loads(path.read_text())
+    one_entry = isinstance(damage, dict) and len(damage) == 1
+    data["first_pass"] = {**data["first_pass"], **damage} if one_entry else damage
+    path.write_text(json.dumps(data))
+    with pytest.raises(ModelError, match="damaged weights"):
+        load_model(saved_with_first_pass)

@@ -11,9 +11,9 @@ import models
 from grounding.geometry.layout import Layout
 from grounding.graded.belief import believe
 from grounding.graded.destinations import find_spot
-from grounding.world.scene import Scene
 from grounding.language.parser import Parser
 from grounding.world import FURNITURE, World, load_world, make_object
+from grounding.world.scene import Scene
 
 TABLE = load_world(models.SCENES / "four.json")["table"]
 HEIGHT = 0.736  # of the centre of a block on the table

@@ -8,9 +8,9 @@ import pytest
 from grounding import World, make_object
 from grounding.geometry.layout import Layout
 from grounding.graded.belief import believe
-from grounding.world.scene import Scene
 from grounding.language.parser import Parser
 from grounding.literal.belief import believe_literally
+from grounding.world.scene import Scene
 
 TABLE = make_object("table", "table", "white", (0.65, 0, 0.691), size=(0.7, 1.8, 0.04))
 

@@ -12,8 +12,8 @@ from grounding import World, make_object
 from grounding.geometry.layout import Layout
 from grounding.graded.enclosure import Part, _at_least, amid, between_two
 from grounding.graded.reader import Reader
-from grounding.world.scene import Scene
 from grounding.language.parser import Parser
+from grounding.world.scene import Scene
 
 points = st.lists(st.tuples(st.integers(0, 6), st.integers(-6, 6)), min_size=3, max_size=7, unique=True)
 

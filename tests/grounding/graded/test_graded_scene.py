@@ -8,8 +8,8 @@ from hypothesis import strategies as st
 import models
 from grounding import World, load_world, make_object
 from grounding.geometry.layout import Layout
-from grounding.world.scene import ROBOT, SPEAKER, Scene
 from grounding.world import Viewpoint
+from grounding.world.scene import ROBOT, SPEAKER, Scene
 
 BLOCKS = (make_object("a", position=(0.5, 0.1, 0.736)), make_object("b", position=(0.7, -0.1, 0.736)))
 

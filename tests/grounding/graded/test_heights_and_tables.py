@@ -8,9 +8,9 @@ import pytest
 import models
 from grounding.geometry.layout import Layout
 from grounding.graded.belief import believe
-from grounding.world.scene import Scene
 from grounding.language.parser import Parser
 from grounding.world import World, load_world, make_object
+from grounding.world.scene import Scene
 
 TABLE = load_world(models.SCENES / "four.json")["table"]
 HEIGHT = 0.736  # of the centre of a block on the table

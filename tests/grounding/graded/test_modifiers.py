@@ -8,9 +8,9 @@ import pytest
 from grounding import World, make_object
 from grounding.geometry.layout import Layout
 from grounding.graded.belief import believe
-from grounding.world.scene import ROBOT, SPEAKER, Scene
 from grounding.language.parser import Parser
 from grounding.world import Viewpoint
+from grounding.world.scene import ROBOT, SPEAKER, Scene
 
 WORLD = World(
     (make_object("table", "table", "white", (0.75, 0, 0.691), size=(0.9, 1.6, 0.04)),

@@ -9,8 +9,8 @@ from grounding import World, make_object
 from grounding.geometry.layout import Layout
 from grounding.graded.belief import believe
 from grounding.graded.places import in_place, make_place, off_middle
-from grounding.world.scene import ROBOT, Scene
 from grounding.language.parser import Parser
+from grounding.world.scene import ROBOT, Scene
 
 TABLE = make_object("table", "table", "white", (0.65, 0, 0.691), size=(0.7, 1.8, 0.04))
 

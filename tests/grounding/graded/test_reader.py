@@ -10,10 +10,10 @@ from grounding.geometry.layout import Layout
 from grounding.graded.belief import believe
 from grounding.graded.nouns import read_noun
 from grounding.graded.reader import Reader
-from grounding.world.scene import ROBOT, SPEAKER, Scene
 from grounding.graded.values import Membership, Rank, Restriction
 from grounding.language.parser import Parser
 from grounding.world import Viewpoint
+from grounding.world.scene import ROBOT, SPEAKER, Scene
 
 TABLE = make_object("table", "table", "white", (0.65, 0, 0.691), size=(0.7, 1.8, 0.04))
 

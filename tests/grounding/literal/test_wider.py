@@ -8,13 +8,13 @@ import models
 from grounding import Grounder
 from grounding.geometry.layout import Layout
 from grounding.graded.nouns import Noun
-from grounding.world.scene import Scene
 from grounding.language.parser import Parser
 from grounding.literal.presupposed import absences
 from grounding.literal.reader import LiteralReader
 from grounding.literal.values import FAINT, FIRM, Missing
 from grounding.literal.wider import held, is_missing, looks_stacked
 from grounding.world import World, load_world, make_object
+from grounding.world.scene import Scene
 
 TABLE = load_world(models.SCENES / "four.json")["table"]
 HEIGHT = 0.736  # of the centre of a block on the table
