@@ -27,13 +27,12 @@ def destination(belief: Belief, objects: tuple[str, ...]) -> Destination | None:
     source = _source(belief, objects)
     if source is None:
         return None
-    told = [(r, share) for r, share in zip(belief.readings, belief.shares, strict=True) if r.told.target is not None]
-    readings = [reading for reading, _ in told[:HEARD]]
-    scene = readings[0].evaluator.scene
-    if len(objects) > 1 and not any(_leads(piece) for reading in readings for piece in reading.told.destination):
+    heard = _telling(belief)[:HEARD]
+    scene = heard[0][0].evaluator.scene
+    if len(objects) > 1 and not any(_leads(piece) for reading, _ in heard for piece in reading.told.destination):
         return None  # "stack the two red blocks": on what?
     found: dict[tuple[str, tuple[Phrase, ...]], tuple[FoundSpot, float]] = {}
-    for reading, share in told[:HEARD]:
+    for reading, share in heard:
         said = reading.evaluator.view, tuple(reading.told.destination)
         if said in found:
             found[said] = (found[said][0], found[said][1] + share)
@@ -41,7 +40,7 @@ def destination(belief: Belief, objects: tuple[str, ...]) -> Destination | None:
         spot = _find(reading, source)
         if spot is not None:
             found[said] = (spot, share)
-        elif reading is readings[0] and leads_off_table(belief, objects):
+        elif reading is heard[0][0] and leads_off_table(belief, objects):
             return None
     spot = agreed(list(found.values()), scene.edge)
     return None if spot is None else _stated(spot, source, scene)
@@ -52,15 +51,19 @@ def leads_off_table(belief: Belief, objects: tuple[str, ...]) -> bool:
     source = _source(belief, objects)
     if source is None or len(objects) != 1:
         return False
-    reading = next(reading for reading in belief.readings if reading.told.target is not None)
+    reading = _telling(belief)[0][0]
     return leads_off(_pieces(reading), source, reader_of(reading))
 
 
+def _telling(belief: Belief) -> list[tuple[Reading, float]]:
+    """The readings that tell of something to handle, the likeliest first, with their shares."""
+    return [item for item in zip(belief.readings, belief.shares, strict=True) if item[0].told.target is not None]
+
+
 def _source(belief: Belief, objects: tuple[str, ...]) -> int | None:
-    """The index of what is moved first."""
-    if not objects or all(reading.told.target is None for reading in belief.readings):
-        return None
-    return belief.readings[0].evaluator.scene.layout.index.get(objects[0])
+    """The index of what is moved first; None where nothing is told of it."""
+    telling = _telling(belief)
+    return telling[0][0].evaluator.scene.layout.index.get(objects[0]) if objects and telling else None
 
 
 def _find(reading: Reading, source: int) -> FoundSpot | None:
