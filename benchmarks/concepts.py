@@ -28,7 +28,6 @@ from grounding.geometry.masks import indices_of, mask_of
 from grounding.graded import sets
 from grounding.graded.enclosure import between_two
 from grounding.graded.modifiers.by_reference import BESIDE, TOUCHING
-from grounding.graded.nouns import Noun
 from grounding.graded.places import in_place, make_place
 from grounding.graded.relations import directed, near
 from grounding.graded.selectors import choose
@@ -39,6 +38,7 @@ from grounding.literal import choosing
 from grounding.literal.reader import LiteralReader
 from grounding.literal.relations import region_of
 from grounding.literal.values import Meant, Missing, Unread
+from grounding.meaning.nouns import Noun
 from grounding.symbols import Region
 from grounding.world import Array
 

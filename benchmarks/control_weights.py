@@ -18,15 +18,15 @@ from grounding.corpus.loading import load_corpus
 from grounding.corpus.making import make_corpus
 from grounding.grounder import Grounder
 from grounding.learning.beliefs import Text, learn_beliefs, texts_by_hand, texts_of
-from grounding.model.cases import Weights
-from grounding.model.storage import load_weights, save_weights
+from grounding.model.cases import Learned
+from grounding.model.storage import load_learned, save_learned
 from motion.cache import cached_folder
 
 SEED = 0  # of what is drawn and generated
 _NAME = "beliefs.json"
 
 
-def shuffled_weights(grounder: Grounder, generated: int, cache: Path | None = None) -> Weights:
+def shuffled_weights(grounder: Grounder, generated: int, cache: Path | None = None) -> Learned:
     """The weights learned from shuffled answers; from the cache where they were learned before.
 
     Args:
@@ -39,9 +39,9 @@ def shuffled_weights(grounder: Grounder, generated: int, cache: Path | None = No
         print("learning from shuffled answers, once; this takes minutes", file=sys.stderr, flush=True)
         texts = training_texts(grounder, generated)
         weights = learn_beliefs(texts, grounder, shuffled=SEED, progress=_say)
-        save_weights(weights, folder / _NAME, {"texts": len(texts), "shuffled": SEED})
+        save_learned(weights, folder / _NAME, {"texts": len(texts), "shuffled": SEED})
 
-    return load_weights(cached_folder(f"shuffled-{_digest(generated)}", build, cache) / _NAME)
+    return load_learned(cached_folder(f"shuffled-{_digest(generated)}", build, cache) / _NAME)
 
 
 def training_texts(grounder: Grounder, generated: int) -> list[Text]:

@@ -28,11 +28,11 @@ from grounding.grounder import READERS, Grounder
 from grounding.inference import Adcg
 from grounding.language.parser import Parser
 from grounding.learning.beliefs import EQUAL
-from grounding.model.cases import Weights
-from grounding.model.storage import load_weights
+from grounding.model.cases import Learned
+from grounding.model.storage import load_learned
 from grounding.world import World
 
-Loading = Callable[[], Weights]
+Loading = Callable[[], Learned]
 
 
 @dataclass(frozen=True)
@@ -118,7 +118,7 @@ def main() -> None:
     texts = Parser.load(models.GRAMMAR)
     reading = Grounder(texts, Adcg(load_model(models.WEIGHTS), beam=1), EQUAL)
     weights: dict[str, Loading] = {
-        "learned": cache(lambda: load_weights(models.BELIEFS)), "equal": lambda: EQUAL,
+        "learned": cache(lambda: load_learned(models.BELIEFS)), "equal": lambda: EQUAL,
         "shuffled": cache(lambda: shuffled_weights(reading, args.generated, args.cache)),
     }  # fmt: skip
     chosen = [row for row in rows if args.rows is None or row.name in args.rows]

@@ -191,7 +191,8 @@ class Conversation:
         if commands(parses[0]) and len(pending.options) == 1 and not _BACK.isdisjoint(words_of(text)):
             self._decided(pending, pending.understanding.action(pending.options[0]))  # whoever goes on with "it" agrees
             return self._instructed(text)
-        answer = by_description(parses, scene, [option.objects for option in pending.options])
+        options = [option.objects for option in pending.options]
+        answer = by_description(parses, scene, options, self._grounder.learned.referring)
         if commands(parses[0]) or answer.kind == "other":
             course = self._grounder.course(text, self._world, self._history, self._before)
             fresh = self._grounder.follow(course)
@@ -285,7 +286,8 @@ class Conversation:
         answer = by_words(text, len(rival.ids), min(NAMED, len(rival.ids)))
         if answer is None:
             parses = self._grounder.parser.parse(text, 2)
-            answer = by_description(parses, pending.understanding.scene, [(name,) for name in rival.ids])
+            options = [(name,) for name in rival.ids]
+            answer = by_description(parses, pending.understanding.scene, options, self._grounder.learned.referring)
         if answer.kind != "chosen" or len(answer.places) != 1:
             return None
         chosen = Describer(pending.understanding.scene).describe(rival.ids[answer.places[0]]).text

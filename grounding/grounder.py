@@ -26,10 +26,10 @@ from grounding.meaning.discourse.told import Told
 from grounding.model.belief import Belief, Option, read
 from grounding.model.belief import Reading as Meant
 from grounding.model.belief import believe as weigh
-from grounding.model.cases import Weights
+from grounding.model.cases import Learned, Weights
 from grounding.model.evaluator import Evaluator
 from grounding.model.opinions import Opinion, with_opinions
-from grounding.model.storage import load_weights
+from grounding.model.storage import load_learned
 from grounding.readings import Reading, readings
 from grounding.result import GroundedAction, Grounding
 from grounding.returning import returned, returns
@@ -173,7 +173,7 @@ class Grounder:
     Args:
         parser: from text to phrase trees.
         inference: from phrase trees to symbols, which tell what phrases mean.
-        weights: of the features of what may be meant.
+        learned: the weights of the features of what may be meant.
         parses: how many parses of a text are kept and read; the world decides between them.
         inferred: how many of those that agree best with the world are grounded by the factors.
         without: names of `READERS` that are left out: they believe in nothing, and no other reader hears of them. What
@@ -184,7 +184,7 @@ class Grounder:
     """
 
     def __init__(
-        self, parser: Parser, inference: Adcg, weights: Weights, parses: int = 4, inferred: int = 1,
+        self, parser: Parser, inference: Adcg, learned: Learned, parses: int = 4, inferred: int = 1,
         without: Collection[str] = (),
     ) -> None:  # fmt: skip
         for name in without:
@@ -192,11 +192,16 @@ class Grounder:
                 raise GroundingError(f"no reader is called {name!r}; there are {', '.join(READERS)}")
         self.parser = parser
         self.inference = inference
-        self.weights = weights
+        self.learned = learned
         self.parses = parses
         self.inferred = inferred
         self.without = frozenset(without)
         self._scenes: OrderedDict[int, tuple[World, Scene]] = OrderedDict()
+
+    @property
+    def weights(self) -> Weights:
+        """The weights by which it is decided what a text means."""
+        return self.learned.deciding
 
     @classmethod
     def load(
@@ -214,7 +219,7 @@ class Grounder:
         Raises:
             ModelError: a file is missing, damaged or of another version.
         """
-        return cls(Parser.load(grammar), Adcg(load_model(weights), beam=1), load_weights(beliefs), without=without)
+        return cls(Parser.load(grammar), Adcg(load_model(weights), beam=1), load_learned(beliefs), without=without)
 
     def ground(self, text: str, world: World, history: Sequence[str] = (), before: World | None = None) -> Grounding:
         """Understand an instruction.
@@ -233,7 +238,7 @@ class Grounder:
     def course(self, text: str, world: World, history: Sequence[str] = (), before: World | None = None) -> Course:
         """The steps of an instruction, none of them grounded yet; see `ground`."""
         start = time.perf_counter()
-        steps = split(self._parsed(text), self.scene(world), history)
+        steps = split(self._parsed(text), self.scene(world), history, self.learned.referring)
         return Course(text, steps, world, tuple(history), milliseconds=1000 * (time.perf_counter() - start),
                       before=before)  # fmt: skip
 
@@ -271,7 +276,7 @@ class Grounder:
 
     def _read(self, text: str, parses: Step, scene: Scene, history: Sequence[str]) -> Understanding:
         heard = self.hear(parses, scene, history)
-        belief = weigh(heard.meanings, self.weights)
+        belief = weigh(heard.meanings, self.learned.deciding)
         kept = belief.parses()[: self.inferred] or range(min(len(parses), self.inferred))
         likely = [parses[place] for place in kept]
         memory: dict[object, list] = {}
@@ -281,10 +286,10 @@ class Grounder:
     def hear(self, parses: Sequence[Parse], scene: Scene, history: Sequence[str] = ()) -> Heard:
         """Read parses in every way, before it is weighed what is meant; for learning the weights as well."""
         graded = NO_BELIEF if "graded" in self.without else believe(parses, scene, history)
-        meanings = read(parses, scene, history, self.weights)
+        meanings = read(parses, scene, history, self.learned.referring)
         literal = SILENT
         if "literal" not in self.without:
-            literal = believe_literally(parses, scene, weigh(meanings, self.weights), history)
+            literal = believe_literally(parses, scene, weigh(meanings, self.learned.referring), history)
         found = () if "meanings" in self.without else meanings
         return Heard(graded, literal, with_opinions(found, opinions_of(graded, literal), Evaluator(scene), Told()))
 

@@ -8,12 +8,12 @@ import numpy as np
 
 from grounding.geometry.layout import Layout
 from grounding.graded import sets
-from grounding.graded import words as w
-from grounding.graded.nouns import Noun, read_noun
 from grounding.graded.reader import Reader
 from grounding.language.lexicon import meanings
 from grounding.language.tree import Phrase
+from grounding.lexicon import words as w
 from grounding.literal.colors import without
+from grounding.meaning.nouns import Noun, read_noun
 from grounding.numbers import counted, listed, ranked, spelled
 from grounding.symbols import ObjectColor
 from grounding.world.scene import Scene

@@ -31,9 +31,9 @@ from grounding.language.compiled import write_tables
 from grounding.language.grammar import Grammar
 from grounding.language.parser import Parser
 from grounding.learning import learn, learn_first_pass
-from grounding.learning.beliefs import learn_beliefs, texts_by_hand, texts_of
+from grounding.learning.beliefs import EQUAL, learn_beliefs, texts_by_hand, texts_of
 from grounding.learning.examples import Annotated, annotated
-from grounding.model.storage import save_weights
+from grounding.model.storage import save_learned
 
 VARIANTS = 4
 SAMPLED = 4000
@@ -110,7 +110,7 @@ def run(args: argparse.Namespace) -> int:
 def _learn_beliefs(args: argparse.Namespace, start: float) -> int:
     """Learn the weights that decide, from the treebank, from generated texts and from free ones, and write them."""
     parser = Parser.load(args.output / models.GRAMMAR.name)
-    grounder = Grounder(parser, Adcg(load_model(args.output / models.WEIGHTS.name), beam=1), {})
+    grounder = Grounder(parser, Adcg(load_model(args.output / models.WEIGHTS.name), beam=1), EQUAL)
     corpora = [load_corpus(None)]
     if args.generated:
         _say(f"{args.generated} texts are generated")
@@ -119,9 +119,9 @@ def _learn_beliefs(args: argparse.Namespace, start: float) -> int:
     texts = [text for corpus in kept for text in texts_of(corpus, grounder)]
     texts += texts_by_hand(read_hands(models.HANDS), grounder)
     _say(f"weights that decide from {len(texts)} texts")
-    weights = learn_beliefs(texts, grounder, progress=_say)
-    save_weights(weights, args.output / models.BELIEFS.name, {"texts": len(texts)})
-    return _finish({"texts": len(texts), "weights": len(weights)}, start, args.output)
+    learned = learn_beliefs(texts, grounder, progress=_say)
+    save_learned(learned, args.output / models.BELIEFS.name, {"texts": len(texts)})
+    return _finish({"texts": len(texts), "weights": len(learned.deciding)}, start, args.output)
 
 
 def _all_examples(corpora: Sequence[Corpus], args: argparse.Namespace) -> list[Annotated]:

@@ -9,11 +9,11 @@ import numpy as np
 
 from grounding.graded import scores, sets
 from grounding.graded.colors import colored
-from grounding.graded.nouns import Noun, read_noun
 from grounding.graded.selectors import adjectives
 from grounding.graded.values import SETS, Membership, Rank, Restriction, Value
 from grounding.language.lexicon import meanings
 from grounding.language.tree import Phrase
+from grounding.meaning.nouns import Noun, read_noun
 from grounding.symbols import Cardinal
 from grounding.world import Array
 from grounding.world.scene import Scene

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from grounding.graded.nouns import Noun, read_noun
 from grounding.language.tree import Phrase
+from grounding.meaning.nouns import Noun, read_noun
 from grounding.world import Array
 
 OTHER_KIND = 0.15  # who says "the other one" without a colour mostly means another one of the same colour

@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from grounding.graded import scores
-from grounding.graded.nouns import Noun, read_noun
 from grounding.graded.places import in_place, make_place, part_of
 from grounding.graded.values import Restriction, Value
+from grounding.meaning.nouns import Noun, read_noun
 
 if TYPE_CHECKING:
     from grounding.graded.reader import Reader

@@ -7,8 +7,8 @@ from collections.abc import Iterable
 import numpy as np
 
 from grounding.graded import scores
-from grounding.graded import words as w
 from grounding.graded.values import SETS, Effect, Place, Restriction, Value
+from grounding.lexicon import words as w
 from grounding.world import Array
 from grounding.world.scene import Scene
 

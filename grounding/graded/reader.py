@@ -8,15 +8,15 @@ import numpy as np
 
 from grounding.graded import history as past
 from grounding.graded import scores
-from grounding.graded import words as w
 from grounding.graded.arrangements import read_arrangement
 from grounding.graded.colors import colored
 from grounding.graded.modifiers import read_effects, with_modifiers
-from grounding.graded.nouns import Noun, read_noun
 from grounding.graded.place_phrases import read_place
 from grounding.graded.selection import FAINT, select
 from grounding.graded.values import SETS, Effect, Rank, Value
 from grounding.language.tree import Phrase
+from grounding.lexicon import words as w
+from grounding.meaning.nouns import Noun, read_noun
 from grounding.world import Array
 from grounding.world.scene import ROBOT, Scene
 

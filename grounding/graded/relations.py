@@ -8,8 +8,8 @@ from dataclasses import replace
 import numpy as np
 
 from grounding.graded import scores
-from grounding.graded import words as w
 from grounding.graded.values import SETS, Restriction, Value
+from grounding.lexicon import words as w
 from grounding.world import Array
 from grounding.world.scene import Scene
 

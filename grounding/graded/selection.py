@@ -7,10 +7,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from grounding.graded import scores, sets
-from grounding.graded.nouns import Noun
 from grounding.graded.selectors import adjectives, choose
 from grounding.graded.surroundings import lone, single
 from grounding.graded.values import SETS, Effect, Membership, Rank, Restriction, Value
+from grounding.meaning.nouns import Noun
 from grounding.world import Array
 from grounding.world.scene import Scene
 

@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 
 from grounding.graded import scores
-from grounding.graded.nouns import Noun
 from grounding.graded.people import distance_from
 from grounding.graded.places import closeness, make_place, middle_one
 from grounding.graded.values import Rank
+from grounding.meaning.nouns import Noun
 from grounding.world import Array
 from grounding.world.scene import ROBOT, Scene
 

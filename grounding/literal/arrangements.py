@@ -10,13 +10,13 @@ import numpy as np
 
 from grounding.geometry.layout import UPRIGHT
 from grounding.geometry.masks import indices_of, single
-from grounding.graded.nouns import Noun, read_noun
 from grounding.language.tree import Phrase
 from grounding.literal.choosing import side_of_all, toward
 from grounding.literal.colors import lacking
 from grounding.literal.places import names_of, says_unknown
 from grounding.literal.values import FAINT, FIRM, Meant, Missing, Narrow, Order, Sided, Unread, Viewed
 from grounding.literal.wider import looks_stacked
+from grounding.meaning.nouns import Noun, read_noun
 from grounding.numbers import counted, spelled
 from grounding.symbols import LAST
 from grounding.world import Array

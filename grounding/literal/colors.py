@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 
 from grounding.geometry.layout import Layout
 from grounding.graded.colors import colored
-from grounding.graded.nouns import Noun
 from grounding.literal.values import FIRM, Missing, Unread
+from grounding.meaning.nouns import Noun
 from grounding.numbers import listed
 
 if TYPE_CHECKING:

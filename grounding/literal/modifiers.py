@@ -6,14 +6,14 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from grounding.geometry.masks import mask_of, single
-from grounding.graded import words as w
-from grounding.graded.nouns import Noun, read_noun
 from grounding.language.lexicon import meanings
 from grounding.language.tree import Phrase, Word
+from grounding.lexicon import words as w
 from grounding.literal.choosing import alone, along, from_reference, to_center, toward
 from grounding.literal.places import NAMES, OPPOSITE, PARTS
 from grounding.literal.relations import region_of
 from grounding.literal.values import Effect, Meant, Member, Narrow, Order, Sided, Unread, Viewed
+from grounding.meaning.nouns import Noun, read_noun
 from grounding.symbols import Cardinal, ObjectColor, Ordinal, Region
 from grounding.world.scene import SPEAKER
 

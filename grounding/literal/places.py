@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from grounding.graded.nouns import Noun, read_noun
 from grounding.language.lexicon import meanings
 from grounding.literal.values import Meant, Unread
+from grounding.meaning.nouns import Noun, read_noun
 from grounding.symbols import Cardinal
 from grounding.world.scene import SPEAKER
 

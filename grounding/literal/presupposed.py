@@ -9,10 +9,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from grounding.graded.nouns import Noun, read_noun
 from grounding.language.tree import Phrase
 from grounding.literal.arrangements import size_of
 from grounding.literal.values import FIRM, Missing, Unread
+from grounding.meaning.nouns import Noun, read_noun
 from grounding.numbers import ranked, spelled
 
 if TYPE_CHECKING:

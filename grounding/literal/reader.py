@@ -6,7 +6,6 @@ import numpy as np
 
 from grounding.geometry.masks import indices_of, mask_of, single
 from grounding.graded import history as past
-from grounding.graded.nouns import Noun, read_noun
 from grounding.graded.values import Effect as GradedEffect
 from grounding.graded.values import Rank, Restriction, Value
 from grounding.language.tree import Phrase
@@ -16,6 +15,7 @@ from grounding.literal.modifiers import modify
 from grounding.literal.places import mean_place
 from grounding.literal.things import mean_things
 from grounding.literal.values import FIRM, Effect, Meant, Missing, Unread, as_array
+from grounding.meaning.nouns import Noun, read_noun
 from grounding.world import Array
 from grounding.world.scene import ROBOT, SPEAKER, Scene
 

@@ -8,13 +8,13 @@ from dataclasses import dataclass
 import numpy as np
 
 from grounding.graded.discourse import read_text
-from grounding.graded.nouns import Noun, read_noun
 from grounding.language.tree import Phrase
 from grounding.literal.modifiers import RELATIONS
 from grounding.literal.presupposed import forms
 from grounding.literal.reader import LiteralReader
 from grounding.literal.values import FIRM, Meant, Missing, Unread
 from grounding.literal.wider import held, is_missing
+from grounding.meaning.nouns import Noun, read_noun
 from grounding.world import Array
 from grounding.world.scene import Scene
 

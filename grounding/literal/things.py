@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from grounding.geometry.masks import indices_of, single
-from grounding.graded.nouns import Noun
 from grounding.literal.choosing import (
     alone,
     along,
@@ -38,6 +37,7 @@ from grounding.literal.values import (
     Unread,
     Viewed,
 )
+from grounding.meaning.nouns import Noun
 from grounding.numbers import counted, ranked, spelled
 from grounding.symbols import LAST
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from grounding.graded.nouns import Noun
+from grounding.meaning.nouns import Noun
 from grounding.symbols import Region
 from grounding.world import Array
 

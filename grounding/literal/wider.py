@@ -16,9 +16,9 @@ import numpy as np
 from grounding.geometry.masks import indices_of
 from grounding.graded import sets
 from grounding.graded.colors import colored
-from grounding.graded.nouns import Noun
 from grounding.graded.reader import Reader
 from grounding.literal.values import FIRM, Missing
+from grounding.meaning.nouns import Noun
 from grounding.world.scene import ROBOT, Scene
 
 SHAPED = 0.6

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from typing import NamedTuple
 
 import numpy as np
 
@@ -12,6 +13,18 @@ from grounding.world import Array
 
 Weights = Mapping[str, float]
 """Weights by the names of features; features without one count nothing."""
+
+
+class Learned(NamedTuple):
+    """What was learned.
+
+    Attributes:
+        deciding: weights by which it is decided what a text means, from all that was read of it.
+        referring: weights by which it is judged what is spoken of on the way, by its conditions alone.
+    """
+
+    deciding: Weights
+    referring: Weights
 
 
 @dataclass(eq=False)

@@ -306,7 +306,8 @@ def _within(evaluator: Evaluates, mask: np.ndarray, spot: place.Spot) -> Array:
 
 def _centre(evaluator: Evaluates, condition: Condition, base: Array) -> Held:
     """In the middle of several: the middle one of them, or what lies between them."""
-    member = evaluator.denote(condition.of[0], base).weights
+    whole = evaluator.denote(condition.of[0], base)
+    member = whole.weights * whole.truth
     amid = between.amid(evaluator.where, evaluator.scene, _parts(evaluator, condition.of[1:], base), surrounding=False)
     return _plain(np.maximum(member, amid))
 

@@ -86,11 +86,11 @@ def _choices(evaluator: Evaluates, conditions: Sequence[Condition], kind: Array)
     found = [_Choice(np.ones(evaluator.scene.n, dtype=bool))]
     for condition in conditions:
         if condition.chooses:
-            options = _sets(evaluator, condition, kind)
+            options = _sets(evaluator, condition, kind) or [_Choice(found[0].mask, {"set.none": 1.0})]
             found = [
                 _Choice(one.mask & option.mask, _summed(one.scalars, option.scalars), one.log + option.log)
                 for one in found for option in options
-            ] or found  # fmt: skip
+            ]  # fmt: skip
     return found
 
 

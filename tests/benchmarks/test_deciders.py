@@ -13,7 +13,7 @@ from instructions import read_instructions, write_instructions
 import models
 from grounding.grounder import READERS
 from grounding.learning.beliefs import EQUAL, learn_beliefs
-from grounding.model.storage import load_weights
+from grounding.model.storage import load_learned
 
 ROOT = Path(__file__).parents[2]
 
@@ -37,7 +37,7 @@ def test_every_reader_is_left_out_and_alone_once():
 def test_the_share_of_everything_is_that_of_the_grounder(few, grounder):
     instructions, worlds = few
     rows = [row for row in rows_of(READERS) if row.name in ("all", "without literal", "only graded", "equal")]
-    weights = {"learned": lambda: load_weights(models.BELIEFS), "equal": lambda: EQUAL}
+    weights = {"learned": lambda: load_learned(models.BELIEFS), "equal": lambda: EQUAL}
     told = []
     found = measured(rows, instructions, worlds, weights, grounder.parser, lambda *row: told.append(row))
     right = [i.is_answered_by(grounder.ground(i.text, worlds[i.world], i.history)) for i in instructions]
@@ -49,7 +49,7 @@ def test_the_share_of_everything_is_that_of_the_grounder(few, grounder):
 def test_weights_learned_from_shuffled_answers_do_not_know_what_is_meant(grounder):
     texts = training_texts(grounder, 0)[::40]
     learned, shuffled = learn_beliefs(texts, grounder), learn_beliefs(texts, grounder, shuffled=0)
-    assert learned["T"] > 2 * shuffled["T"]
+    assert learned.referring["T"] > 2 * shuffled.referring["T"]
     assert learn_beliefs(texts, grounder, shuffled=0) == shuffled
 
 

@@ -6,9 +6,9 @@ from grounding.graded.discourse.clauses import clauses_of
 from grounding.graded.discourse.sentences import read_sentence
 from grounding.graded.discourse.told import Told, add, is_informative, name, take
 from grounding.graded.discourse.verbs import HANDLING, SETTING_OFF
-from grounding.graded.nouns import read_noun
 from grounding.graded.reader import Reader
 from grounding.language.tree import Phrase
+from grounding.meaning.nouns import read_noun
 
 
 def read_text(tree: Phrase, reader: Reader) -> Told:

@@ -19,9 +19,9 @@ from grounding.graded.discourse.verbs import (
     PARTING,
     TAKING,
 )
-from grounding.graded.nouns import Noun, read_noun
-from grounding.graded.words import directions
 from grounding.language.tree import Phrase, Word
+from grounding.lexicon.words import directions
+from grounding.meaning.nouns import Noun, read_noun
 
 _FROM = frozenset(("from",))
 _BRINGING = frozenset("using claiming moving taking placing stacking putting adding by courtesy".split())

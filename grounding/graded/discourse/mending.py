@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from grounding.graded import words as w
 from grounding.graded.discourse.verbs import GAINING, LOOKING, LOSING, PARTING
 from grounding.language.tree import Phrase, Word
+from grounding.lexicon import words as w
 
 _PARTICLES = frozenset(("'s",))
 _DETERMINERS = frozenset("the a an this that these those its one two three".split())

@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from grounding.graded.discourse.verbs import BEING
-from grounding.graded.nouns import read_noun
 from grounding.language.tree import Phrase, Word
+from grounding.meaning.nouns import read_noun
 
 
 @dataclass(frozen=True)

@@ -7,7 +7,6 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from grounding.graded.destinations.items import peeled
 from grounding.graded.discourse.giving import gained, given
 from grounding.graded.discourse.hearing import Sentence, hear
 from grounding.graded.discourse.sharing import shared_out
@@ -23,9 +22,10 @@ from grounding.graded.discourse.verbs import (
     ORDERING,
     is_verbal,
 )
-from grounding.graded.nouns import Noun, read_noun
 from grounding.graded.reader import Reader
 from grounding.language.tree import Phrase, Word
+from grounding.meaning.goal.lengths import peeled
+from grounding.meaning.nouns import Noun, read_noun
 
 _BODY = frozenset("hand hands arm arms gripper fingers claw".split())
 _NAMING = frozenset("the that this these those its both".split())

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from grounding.graded.discourse.told import Told, is_informative, with_further
-from grounding.graded.nouns import Noun
 from grounding.language.tree import Phrase
+from grounding.meaning.nouns import Noun
 
 _LEADING = frozenset("to onto into toward towards over so until up down".split())
 

@@ -9,10 +9,10 @@ import numpy as np
 
 from grounding.graded import scores
 from grounding.graded.discourse.verbs import LOOKING
-from grounding.graded.nouns import Noun, read_noun
 from grounding.graded.reader import Reader
 from grounding.graded.values import Membership, Rank, Restriction
 from grounding.language.tree import Phrase
+from grounding.meaning.nouns import Noun, read_noun
 from grounding.world import Array
 
 _KEPT = 0.1  # of what was told before, so much is left of what does not agree with what follows

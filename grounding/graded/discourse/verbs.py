@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from itertools import zip_longest
 
-from grounding.graded.words import distance
 from grounding.language.tree import Phrase
+from grounding.lexicon.words import distance
 
 HANDLING = {
     "pick": "pick pickup grab take lift get select choose grasp fetch hold collect bring raise want need touch scoop "

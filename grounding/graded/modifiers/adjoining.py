@@ -6,10 +6,10 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from grounding.graded.modifiers.heard import hear
-from grounding.graded.nouns import Noun, read_noun
 from grounding.graded.relations import stepped
 from grounding.graded.values import Effect, Rank, Restriction
 from grounding.language.tree import Phrase
+from grounding.meaning.nouns import Noun, read_noun
 from grounding.world import Array
 
 if TYPE_CHECKING:

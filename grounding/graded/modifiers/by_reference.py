@@ -11,15 +11,15 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from grounding.graded import scores
-from grounding.graded import words as w
 from grounding.graded.modifiers.enclosing import between
 from grounding.graded.modifiers.heard import Heard
-from grounding.graded.nouns import Noun
 from grounding.graded.people import before, distance_from
 from grounding.graded.place_phrases import noun_of_whole
 from grounding.graded.places import located, off_middle
 from grounding.graded.relations import along, distance_to, measured, near, vertical
 from grounding.graded.values import Effect, Membership, Rank, Restriction, Value
+from grounding.lexicon import words as w
+from grounding.meaning.nouns import Noun
 from grounding.world.scene import ROBOT
 
 if TYPE_CHECKING:

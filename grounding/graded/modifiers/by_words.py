@@ -9,19 +9,19 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from grounding.graded import scores
-from grounding.graded import words as w
 from grounding.graded.colors import colored
 from grounding.graded.modifiers import enclosing
 from grounding.graded.modifiers.having import having
 from grounding.graded.modifiers.heard import Heard
 from grounding.graded.modifiers.ranks import by_distance, counted_from, is_plain
-from grounding.graded.nouns import Noun
 from grounding.graded.people import before, distance_from
 from grounding.graded.place_phrases import whole_of
 from grounding.graded.places import closeness, in_place, located, make_place
 from grounding.graded.relations import along, measured
 from grounding.graded.surroundings import gaps_to_others
 from grounding.graded.values import Effect, Place, Rank, Restriction, Value
+from grounding.lexicon import words as w
+from grounding.meaning.nouns import Noun
 from grounding.world.scene import ROBOT
 
 if TYPE_CHECKING:

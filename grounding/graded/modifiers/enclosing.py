@@ -10,7 +10,7 @@ import numpy as np
 from grounding.graded import scores
 from grounding.graded.colors import colored
 from grounding.graded.enclosure import Part, amid
-from grounding.graded.nouns import Noun, read_noun
+from grounding.meaning.nouns import Noun, read_noun
 from grounding.world import Array
 
 if TYPE_CHECKING:

@@ -8,19 +8,19 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from grounding.graded import scores
-from grounding.graded import words as w
 from grounding.graded.colors import colored
 from grounding.graded.modifiers.adjoining import steps_from
 from grounding.graded.modifiers.having import having, possessions
 from grounding.graded.modifiers.nouns import with_modifiers
 from grounding.graded.modifiers.relating import relate
-from grounding.graded.nouns import Noun, read_noun
 from grounding.graded.place_phrases import read_place, whole_of
 from grounding.graded.places import located
 from grounding.graded.selectors import adjectives
 from grounding.graded.values import SETS, Effect, Membership, Rank, Restriction
 from grounding.language.lexicon import meanings
 from grounding.language.tree import Phrase
+from grounding.lexicon import words as w
+from grounding.meaning.nouns import Noun, read_noun
 from grounding.symbols import Ordinal
 from grounding.world import Array
 
@@ -60,7 +60,7 @@ def read_effects(reader: Reader, phrase: Phrase, base: Array) -> list[Effect]:
 def _takes_view(phrase: Phrase) -> bool:
     """Whether a modifier only names a viewpoint: "from your perspective"."""
     texts = [leaf.text for leaf in phrase.leaves]
-    viewed = any(text in w.VIEWS for text in texts) and not any(w.directions(t) or w.distance(t) for t in texts)
+    viewed = any(w.is_view(text) for text in texts) and not any(w.directions(t) or w.distance(t) for t in texts)
     return phrase.tag == "PP" and viewed and len(texts) <= _WORDS_OF_A_VIEW
 
 

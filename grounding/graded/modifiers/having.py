@@ -6,11 +6,11 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from grounding.graded import words as w
-from grounding.graded.nouns import read_noun
 from grounding.graded.relations import directed, near
 from grounding.graded.values import Effect, Restriction
 from grounding.language.tree import Phrase
+from grounding.lexicon import words as w
+from grounding.meaning.nouns import read_noun
 
 if TYPE_CHECKING:
     from grounding.graded.reader import Reader

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from grounding.graded import words as w
-from grounding.graded.nouns import Noun, read_noun, read_words
 from grounding.language.lexicon import meanings
 from grounding.language.tree import Phrase, Word
+from grounding.lexicon import words as w
+from grounding.meaning.nouns import Noun, read_noun, read_words
 from grounding.symbols import Cardinal
 from grounding.world import Array
 

@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING
 
 from grounding.graded.modifiers.adjoining import counting_off, points_together
 from grounding.graded.modifiers.ranks import by_distance
-from grounding.graded.nouns import Noun, read_noun
 from grounding.graded.relations import distance_to
 from grounding.graded.values import Effect, Rank, Value
 from grounding.language.tree import Phrase
+from grounding.meaning.nouns import Noun, read_noun
 from grounding.world import Array
 
 if TYPE_CHECKING:

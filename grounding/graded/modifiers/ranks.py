@@ -5,12 +5,12 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from grounding.graded.nouns import Noun
 from grounding.graded.people import distance_from
 from grounding.graded.place_phrases import whole_of
 from grounding.graded.places import closeness
 from grounding.graded.relations import distance_to
 from grounding.graded.values import Effect, Membership, Rank
+from grounding.meaning.nouns import Noun
 from grounding.world.scene import ROBOT
 
 if TYPE_CHECKING:

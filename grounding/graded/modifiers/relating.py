@@ -5,15 +5,15 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from grounding.graded import words as w
 from grounding.graded.colors import colored
 from grounding.graded.modifiers.by_reference import BY_REFERENCE
 from grounding.graded.modifiers.by_words import BY_WORDS, by_itself
 from grounding.graded.modifiers.heard import Heard, hear
-from grounding.graded.nouns import Noun
 from grounding.graded.surroundings import lone
 from grounding.graded.values import Effect, Restriction, Value
 from grounding.language.tree import Phrase
+from grounding.lexicon import words as w
+from grounding.meaning.nouns import Noun
 from grounding.world import Array
 
 if TYPE_CHECKING:

@@ -8,10 +8,10 @@ import pytest
 from grounding import World, make_object
 from grounding.geometry.layout import Layout
 from grounding.graded.belief import believe
-from grounding.graded.nouns import read_noun
 from grounding.graded.reader import Reader
 from grounding.graded.values import Membership, Rank, Restriction
 from grounding.language.parser import Parser
+from grounding.meaning.nouns import read_noun
 from grounding.world import Viewpoint
 from grounding.world.scene import ROBOT, SPEAKER, Scene
 

@@ -7,12 +7,12 @@ import pytest
 import models
 from grounding import Grounder
 from grounding.geometry.layout import Layout
-from grounding.graded.nouns import Noun
 from grounding.language.parser import Parser
 from grounding.literal.presupposed import absences
 from grounding.literal.reader import LiteralReader
 from grounding.literal.values import FAINT, FIRM, Missing
 from grounding.literal.wider import held, is_missing, looks_stacked
+from grounding.meaning.nouns import Noun
 from grounding.world import World, load_world, make_object
 from grounding.world.scene import Scene
 
