@@ -10,6 +10,7 @@ import numpy as np
 from grounding.meaning.goal.clues import Clue
 from grounding.model.phrases import PhraseReader
 from grounding.placing import maps
+from grounding.placing.amid_sets import amid_sets
 from grounding.placing.anchors import Anchors, around, find_anchors
 from grounding.placing.completing import completing, shape_map
 from grounding.placing.floor_plan import PITCH, FloorPlan, Places
@@ -52,6 +53,9 @@ def agreement(g: GroundedClue, places: Places, source: int, plan: FloorPlan, rea
         case "on":
             return maps.on_top(places, plan, g.anchors)
         case "between":
+            held = amid_sets(g.clue.nouns, reader, plan.world(points))
+            if held is not None:
+                return np.repeat(held[:, None], len(g.anchors.share), axis=1)
             return maps.in_between(plan, g.anchors, points)
         case "align":
             return maps.in_line(g.clue, g.anchors, points)
