@@ -18,13 +18,6 @@ from grounding.world.scene import ROBOT, Scene
 FAMILIAR = 16  # a text of more words may well be misunderstood where only places tell things apart
 LIKELY = 0.1  # parses with a smaller share of belief say nothing literally
 
-SHARP = 3000.0
-"""What holds literally is so many times likelier than what does not."""
-VAGUE = 300.0
-"""The same where it rests on relations of which eyes differ."""
-ALIKE = 30.0
-"""The same where only places tell things apart, of which people speak loosely."""
-
 Option = tuple[str, tuple[str, ...]]
 
 
@@ -48,11 +41,6 @@ class LiteralBelief:
     vague: bool = False
     alike: bool = False
     plural: bool = False
-
-    @property
-    def worth(self) -> float:
-        """How many times likelier what it leaves is than what it does not."""
-        return SHARP if self.plural else ALIKE if self.alike else VAGUE if self.vague else SHARP
 
     @property
     def is_open(self) -> bool:
