@@ -15,7 +15,6 @@ from itertools import combinations
 from typing import Any
 
 import numpy as np
-from grounding.graded.scene import ROBOT, Scene
 
 from grounding.corpus.base_phrases import BasePhrases
 from grounding.corpus.meaning import Meaning, NotAnnotatable
@@ -41,6 +40,7 @@ from grounding.literal.values import Meant, Missing, Unread
 from grounding.meaning.nouns import Noun
 from grounding.symbols import Region
 from grounding.world import Array
+from grounding.world.scene import ROBOT, Scene
 
 HOLDS = 0.5  # a graded definition holds of what it gives more, if no other threshold is asked for
 OPEN = (Unread, NotAnnotatable)  # raised by a definition that leaves open what it holds of

@@ -12,8 +12,8 @@ from grounding.corpus import CorpusError, CorpusErrors
 from grounding.corpus.by_hand import KINDS as LAID
 from grounding.corpus.hands import KINDS, Hands, HandText, read_hands, write_hands
 from grounding.corpus.hands_check import check_hands
-from grounding.errors import HandsError
-from grounding.world import World, WorldError, load_worlds, make_object, world_to_json
+from grounding.errors import HandsError, WorldError
+from grounding.world import World, load_worlds, make_object, world_to_json
 
 TABLE = make_object("table", "table", "white", (0.65, 0.0, 0.691), size=(0.7, 1.8, 0.04))
 PICK = HandText("t-pick", "t", "the red one, please", "b1", 1, "pick", "rows", "dev")
