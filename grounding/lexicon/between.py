@@ -113,6 +113,8 @@ def _between_sets(where: Where, scene: Scene, parts: Sequence[Part]) -> Array:
 
     A member of a set is not between it and anything.
     """
+    if not all(part.weights.any() for part in parts):
+        return np.zeros(len(where))
     nearest, inside = [], np.zeros(len(where), dtype=bool)
     for part in parts:
         members = np.flatnonzero(part.weights > 0.5 * peak(part.weights))
