@@ -238,7 +238,7 @@ class Grounder:
     def course(self, text: str, world: World, history: Sequence[str] = (), before: World | None = None) -> Course:
         """The steps of an instruction, none of them grounded yet; see `ground`."""
         start = time.perf_counter()
-        steps = split(self._parsed(text), self.scene(world), history, self.learned.referring)
+        steps = split(self._parsed(text), self.scene(world), history)
         return Course(text, steps, world, tuple(history), milliseconds=1000 * (time.perf_counter() - start),
                       before=before)  # fmt: skip
 

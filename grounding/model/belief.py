@@ -24,6 +24,7 @@ from grounding.world import Array
 from grounding.world.scene import SPEAKER, Scene
 
 NEGLIGIBLE = 1e-3  # parses less likely than the best by this factor are not read
+FAMILIAR = 16  # texts of more words are unlike those that the grammar is sure of
 NOTHING: tuple[str, ...] = ()
 """The option that nothing here is meant."""
 
@@ -163,7 +164,8 @@ def read(
 
 def _note(case: Case, parse: Parse, best: Parse, told: Told, form: str) -> None:
     """Note what a reading says as a whole."""
-    case.note("parse", float(np.log(parse.probability / best.probability)))
+    name = "parse" if len(parse.tree.leaves) <= FAMILIAR else "parse.long"
+    case.note(name, float(np.log(parse.probability / best.probability)))
     if form:
         case.note(f"view.{form}")
     if told.doubt:

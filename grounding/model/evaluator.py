@@ -17,7 +17,7 @@ from grounding.world import Array
 from grounding.world.scene import ROBOT, Scene
 
 EVEN: Weights = MappingProxyType({"T": 1.0, "P": 1.0, "R": 1.0, "set": 1.0, "looks": 1.0, "number": 1.0, "shadow": 1.0,
-                                  "parse": 0.5, "buried": -2.3, "stacked": -1.0})  # fmt: skip
+                                  "parse": 0.5, "parse.long": 0.3, "buried": -2.3, "stacked": -1.0})  # fmt: skip
 """Equal weights for all concepts."""
 
 

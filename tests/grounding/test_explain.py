@@ -142,7 +142,7 @@ def test_an_explanation_is_plain_json_and_lines(name, text):
     [
         ("seven", "pick up the leftmost red block", "b1", 'agrees less with "left most"'),
         ("seven", "take the blue block behind the red block", "b5", 'agrees less with "behind the red block"'),
-        ("seven", "pick up the block closest to you", "b3", 'agrees less with "nearest to you"'),
+        ("seven", "pick up the block closest to you", "b1", 'agrees less with "nearest to you"'),
         ("groups", "take the second block from the left in the row", "b2", 'agrees less with "in the row"'),
     ],
 )

@@ -9,9 +9,12 @@ import pytest
 import models
 from grounding import Grounder
 from grounding.geometry.layout import Layout
-from grounding.graded.belief import GradedBelief, believe
+from grounding.graded.belief import GradedBelief
 from grounding.language.parser import Parser
 from grounding.literal import believe_literally, read_literally
+from grounding.model.belief import believe
+from grounding.model.belief import read as read_meanings
+from grounding.model.evaluator import EVEN
 from grounding.world import World, load_world, make_object
 from grounding.world.scene import Scene
 
@@ -148,9 +151,10 @@ def test_relations_are_marked_as_vague():
 def test_belief_prefers_what_singles_something_out():
     scene = Scene(Layout(WORLD))
     parses = parser().parse("put the block on the right of the yellow block on the table", 4)
-    graded = believe(parses, scene)
-    belief = believe_literally(parses, scene, graded)
-    likely = [read_literally(parses[place].tree, scene) for place, share in graded.shares().items() if share > 0.1]
+    meant = believe(read_meanings(parses, scene), EVEN)
+    belief = believe_literally(parses, scene, meant)
+    likely = [read_literally(parses[r.place].tree, scene) for r, share in zip(meant.readings, meant.shares, strict=True)
+              if share > 0.1]  # fmt: skip
     assert len(belief.options) == min(len(found.options) for found in likely if found is not None and found.options)
     assert np.isclose(sum(share for _, share in belief.options), 1.0)
 
