@@ -150,7 +150,7 @@ def _believed(found: Sequence[Reading], scene: Scene, belief: Belief) -> Believe
     options = belief.listed()
     best, second = options[0].probability, options[1].probability if len(options) > 1 else 0.0
     least = min(LISTED, EVEN * best)
-    listed = [option for option in options if option.probability >= least]
+    listed = _told_apart([option for option in options if option.probability >= least])
     sure = best >= value("answer.least") and best >= value("answer.margin") * second
     least = RIVAL * best if sure else 0.0
     actions = tuple(
@@ -159,6 +159,17 @@ def _believed(found: Sequence[Reading], scene: Scene, belief: Belief) -> Believe
     bearer = next((r for a, r in bearers.items() if _agrees(a, actions[0])), None)
     count = len(listed)
     return Believed(actions, count, sure, shares, bearer or found[0], bearer is not None)
+
+
+def _told_apart(options: Sequence[Option]) -> list[Option]:
+    """Options without sets that a likelier one has as a part, or is a part of: nobody asks whether a row is shorter."""
+    kept: list[Option] = []
+    for option in options:
+        objects = set(option.objects)
+        nested = (set(other.objects) for other in kept if min(len(other.objects), len(objects)) > 1)
+        if not any(objects <= other or other <= objects for other in nested):
+            kept.append(option)
+    return kept
 
 
 def _by_factors(found: Sequence[Reading], scene: Scene) -> Believed | None:

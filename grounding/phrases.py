@@ -62,7 +62,7 @@ def by_answer(reading: Reading, belief: Belief, actions: Sequence[GroundedAction
             (symbol, hypothesis.probabilities.get(symbol, 1.0))
             for symbol in hypothesis.symbols
             if not isinstance(symbol, ObjectSymbol | Action | Region)
-            and not (isinstance(symbol, Container) and symbol.objects)
+            and not (isinstance(symbol, Container) and symbol.objects and not set(members) <= set(symbol.objects))
         ]
         if phrase.tag in ("VP", "S", "FRAG") and phrase is reading.inference.tree:
             kept += [(Action(a.action, tuple(sorted(a.objects))), a.probability) for a in actions]

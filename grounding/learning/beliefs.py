@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
-from types import MappingProxyType
 
 import numpy as np
 
@@ -19,14 +18,14 @@ from grounding.geometry.layout import Layout
 from grounding.grounder import Grounder
 from grounding.language.parser import Parse
 from grounding.model.belief import Objects, rows_of
-from grounding.model.cases import Learned
+from grounding.model.cases import Learned, Weights
 from grounding.model.evaluator import EVEN
 from grounding.model.training import Example, collect, train
 from grounding.readings import pick_of
 from grounding.symbols import Action
 from grounding.world.scene import Scene
 
-EQUAL = Learned(MappingProxyType({**EVEN, "nothing": -3.0, "spread": 1.0, "graded": 1.0, "literal": 1.0,
+EQUAL = Learned(Weights({**EVEN, "nothing": -3.0, "spread": 1.0, "graded": 1.0, "literal": 1.0,
                                   "nothing.literal": 1.0}), EVEN)  # fmt: skip
 """Equal weights of all concepts, towards which the penalty pulls."""
 ALONE = ("graded", "literal")
@@ -102,7 +101,7 @@ def learn_beliefs(
         if progress is not None:
             found = f"{problem.texts} texts, {len(problem.names)} features, {problem.lost} texts left out"
             progress(f"round {number} of {ROUNDS + 1}: {found}")
-        weights = train(problem, dict(EQUAL.deciding), PENALTY)
+        weights = train(problem, EQUAL.deciding, PENALTY)
         learned = Learned(weights, weights if number <= ROUNDS else learned.referring)
     return learned
 

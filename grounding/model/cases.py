@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
@@ -11,8 +10,25 @@ import numpy as np
 from grounding.lexicon.place import Spot
 from grounding.world import Array
 
-Weights = Mapping[str, float]
-"""Weights by the names of features; features without one count nothing."""
+
+class Weights(dict[str, float]):
+    """Weights by the names of features; what has none counts as where all concepts count the same.
+
+    Then the truth, the preference and the rank of every family count once; bins, words, comparisons and preferences
+    beside ranks count nothing.
+    """
+
+    def get(self, name: str, default: float = 0.0) -> float:  # type: ignore[override]
+        """The weight of a feature."""
+        found = dict.get(self, name)
+        return equal(name) if found is None else found
+
+
+def equal(name: str) -> float:
+    """The weight of a feature where all concepts count the same."""
+    plain = not ("<" in name or ":" in name or name.endswith(".ranked"))
+    return 1.0 if name[:2] in ("T.", "P.", "R.") and plain else 0.0
+
 
 
 class Learned(NamedTuple):

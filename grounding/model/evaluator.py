@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from types import MappingProxyType
+from collections.abc import Sequence
 
 import numpy as np
 
@@ -16,8 +15,8 @@ from grounding.model.things import thing_cases
 from grounding.world import Array
 from grounding.world.scene import ROBOT, Scene
 
-EVEN: Weights = MappingProxyType({"T": 1.0, "P": 1.0, "R": 1.0, "set": 1.0, "looks": 1.0, "number": 1.0, "shadow": 1.0,
-                                  "parse": 0.5, "parse.long": 0.3, "buried": -2.3, "stacked": -1.0})  # fmt: skip
+EVEN = Weights({"set": 1.0, "looks": 1.0, "number": 1.0, "shadow": 1.0, "parse": 0.5, "parse.long": 0.3, "buried": -2.3,
+                "stacked": -1.0})  # fmt: skip
 """Equal weights for all concepts."""
 
 
@@ -90,5 +89,3 @@ def base_of(scene: Scene, conditions: Sequence[Condition]) -> Array:
     words = tuple(word for c in conditions if c.concept == "colour" and not c.negated for word in c.words)
     return colour.truth(scene, words)
 
-
-__all__ = ["EVEN", "Evaluator", "Mapping", "base_of"]

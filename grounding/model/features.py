@@ -48,7 +48,6 @@ def add_held(case: Case, condition: Condition, held: Held, *, ranked: bool) -> N
         ranked: whether the referent ranks as well, so that preferences say little.
     """
     name, truth, preference = family(condition), logarithm(held.truth), logarithm(held.preference)
-    case.add("T", truth)
     case.add(f"T.{name}", truth)
     if condition.said and condition.of:
         case.add(f"T.{name}:{condition.said}", truth)
@@ -58,7 +57,6 @@ def add_held(case: Case, condition: Condition, held: Held, *, ranked: bool) -> N
         case.add(f"T.{name}<{limit}", below)
     suffix = ".ranked" if ranked else ""
     if np.any(preference != 0):
-        case.add("P" + suffix, preference)
         case.add(f"P.{name}{suffix}", preference)
     together = held.truth * held.preference
     best = float((together * (case.truth > 0.3)).max(initial=0.0)) or float(together.max(initial=1e-9))
@@ -69,7 +67,6 @@ def add_rank(case: Case, ranked: Ranked) -> None:
     """Add how well every candidate has a rank."""
     name = ranked.name if ranked.first else f"{ranked.name}.nth"
     column = logarithm(ranked.truth)
-    case.add("R", column)
     case.add(f"R.{name}", column)
     for limit in BINS:
         below = (ranked.truth < limit).astype(float)

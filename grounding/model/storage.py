@@ -11,9 +11,9 @@ from pathlib import Path
 from typing import Any
 
 from grounding.errors import ModelError
-from grounding.model.cases import Learned
+from grounding.model.cases import Learned, Weights
 
-VERSION = 2
+VERSION = 3
 _DIGITS = 5  # of a weight: two machines that differ in the last bits of a sum still write the same file
 
 
@@ -26,7 +26,7 @@ def save_learned(learned: Learned, path: Path, notes: Mapping[str, Any] | None =
         notes: how they came about.
     """
     kept = {
-        part: {name: round(value, _DIGITS) for name, value in sorted(weights.items()) if round(value, _DIGITS)}
+        part: {name: round(value, _DIGITS) for name, value in sorted(weights.items())}
         for part, weights in learned._asdict().items()
     }
     data = {"version": VERSION, "notes": dict(notes or {}), **kept, "sha256": _digest(kept)}
@@ -55,7 +55,7 @@ def load_learned(path: Path) -> Learned:
         raise ModelError(f"expected a number for every feature in {path}; `make weights` makes them anew")
     if data.get("sha256") != _digest(parts):
         raise ModelError(f"the weights {path} do not fit their digest; `make weights` makes them anew")
-    return Learned(**{part: {name: float(v) for name, v in weights.items()} for part, weights in parts.items()})
+    return Learned(**{part: Weights({n: float(v) for n, v in found.items()}) for part, found in parts.items()})
 
 
 def _is_weights(weights: Any) -> bool:

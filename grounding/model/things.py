@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -11,7 +11,7 @@ from grounding.lexicon import arrangement, colour
 from grounding.lexicon.degrees import softened
 from grounding.lexicon.parameters import value
 from grounding.meaning.referents import SETS, Condition, Referent
-from grounding.model.cases import Case, Denotation
+from grounding.model.cases import Case, Denotation, Weights
 from grounding.model.choosing import Order, Pool, choose, counts_from, first_of, orders_of
 from grounding.model.features import add_held, add_rank, logarithm
 from grounding.model.restricting import SETS as TRIED
@@ -55,7 +55,7 @@ def thing_cases(evaluator: Evaluates, referent: Referent, base: Array | None, *,
         case.scalars.update(choice.scalars)
         ranked = any(c.ranks for c in conditions)
         if base is not None:
-            case.add("T", logarithm(base))
+            case.add("T.like", logarithm(base))
         for condition, found in held:
             add_held(case, condition, found, ranked=ranked)
         if choice.scalars:
@@ -118,7 +118,7 @@ def _sets(evaluator: Evaluates, condition: Condition, kind: Array) -> list[_Choi
 
 
 def best_sets(
-    denoted: Denotation, weights: Mapping[str, float]
+    denoted: Denotation, weights: Weights
 ) -> list[tuple[np.ndarray, int, Case, float]]:
     """The likeliest sets that a referent may mean, each with its case, its place there and its score."""
     found: dict[bytes, tuple[np.ndarray, int, Case, float]] = {}

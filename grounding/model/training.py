@@ -10,12 +10,13 @@ import numpy as np
 from scipy import sparse
 from scipy.optimize import minimize
 
+from grounding.lexicon.parameters import value
 from grounding.model.belief import Objects, Reading, rows_of
-from grounding.model.cases import Case
+from grounding.model.cases import Case, Weights
 from grounding.world import Array
 
 ROUNDS = 200
-_DEGREES = frozenset("T P R best looks shadow shadowed number parse within".split())
+_DEGREES = frozenset("T P R best looks shadow shadowed number parse within fit spread".split())
 
 
 class Example(NamedTuple):
@@ -116,9 +117,9 @@ class _Builder:
     def _case(self, case: Case) -> None:
         size = case.size
         columns, values = [], []
-        for name, value in case.scalars.items():
+        for name, amount in case.scalars.items():
             columns.append(self._column(name))
-            values.append(np.full(size, value))
+            values.append(np.full(size, amount))
         for name, column in case.columns.items():
             columns.append(self._column(name))
             values.append(column)
@@ -141,18 +142,18 @@ class _Builder:
 
 
 def train(
-    problem: Problem, prior: dict[str, float] | None = None, penalty: float = 1.0,
+    problem: Problem, prior: Weights, penalty: float = 1.0,
     progress: Callable[[int, float], None] | None = None,
-) -> dict[str, float]:
+) -> Weights:
     """Weights under which the texts mean what they mean, by L-BFGS with an L2 penalty towards a prior.
 
     Args:
         problem: the candidates.
-        prior: weights from which the penalty measures; 0 where nothing is said.
+        prior: weights from which the penalty measures.
         penalty: its strength.
         progress: told the round and the loss.
     """
-    start = np.array([(prior or {}).get(name, 0.0) for name in problem.names])
+    start = np.array([prior.get(name) for name in problem.names])
     rounds = 0
 
     def loss(w: Array) -> tuple[float, Array]:
@@ -170,7 +171,7 @@ def train(
     found = minimize(
         loss, start, jac=True, method="L-BFGS-B", bounds=bounds, callback=tell, options={"maxiter": ROUNDS}
     )
-    return {name: float(value) for name, value in zip(problem.names, found.x, strict=True)}
+    return Weights({name: float(value) for name, value in zip(problem.names, found.x, strict=True)})
 
 
 def bound(name: str) -> tuple[float | None, float | None]:
@@ -179,6 +180,8 @@ def bound(name: str) -> tuple[float | None, float | None]:
         return (0.0, None) if "<" in name else (None, None)
     if "<" in name:
         return None, 0.0
+    if name == "parse":
+        return value("answer.parse"), None
     return (0.0, None) if name.split(".")[0] in _DEGREES else (None, None)
 
 

@@ -22,6 +22,7 @@ from grounding.grounder import Understanding
 from grounding.language.parser import Parse, Parser
 from grounding.meaning.notation import parse_meaning
 from grounding.model.belief import Belief, believe, read
+from grounding.model.cases import Weights
 from grounding.model.evaluator import EVEN
 from grounding.pictures.palette import MARKS
 from grounding.pictures.shades import CloseView, Panel, draw_panels
@@ -29,8 +30,9 @@ from grounding.result import GroundedAction, Grounding
 from grounding.world import Viewpoint
 from grounding.world.scene import Scene
 
-WEIGHTS = {**EVEN, "nothing": -3.4, "parse": 0.7, "set.those": 1.0, "outside": 1.0, "spread": 0.5, "within": 1.0,
-           "nothing.within": -0.5, "view.robot.nobody": 1.5, "view.speaker.nobody": -1.5}  # fmt: skip
+WEIGHTS = Weights({**EVEN, "nothing": -3.4, "parse": 0.7, "set.those": 1.0, "outside": 1.0, "spread": 0.5,
+                   "within": 1.0, "nothing.within": -0.5, "view.robot.nobody": 1.5,
+                   "view.speaker.nobody": -1.5})  # fmt: skip
 ASKED = [
     ("seven", "pick up the leftmost red block"), ("seven", "take the blue block behind the red block"),
     ("default", "pick up the middle block in the row of five blocks on the right"), ("tower", "grab the top block"),

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from grounding.language.tree import Phrase
+from grounding.meaning.modifiers.having import of_itself
 from grounding.meaning.modifiers.heard import hear
 from grounding.meaning.nouns import Noun, read_noun
 from grounding.meaning.reading import Reads
@@ -23,6 +24,19 @@ def points_together(modifiers: Sequence[Phrase]) -> list[Phrase]:
             found.append(modifier)
         else:
             found[-1] = joined
+    return found
+
+
+def sides_of_possessions(modifiers: Sequence[Phrase]) -> list[Phrase]:
+    """Modifiers, a side of what has something joined to what it has: "with a red block" "on its left"."""
+    found: list[Phrase] = []
+    for modifier in modifiers:
+        before = found[-1] if found else None
+        has = before is not None and before.tag == "PP" and [w.text for w in before.words] == ["with"]
+        if before is not None and has and len(before.phrases) == 1 and of_itself(modifier) and modifier.tag == "PP":
+            found[-1] = Phrase("PP", (*before.words, Phrase("NP", (before.phrases[0], modifier))))
+        else:
+            found.append(modifier)
     return found
 
 

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from grounding.language.tree import Phrase
-from grounding.meaning.modifiers.adjoining import counting_off, points_together
+from grounding.meaning.modifiers.adjoining import counting_off, points_together, sides_of_possessions
 from grounding.meaning.modifiers.ranking import FARTHEST, NEAREST, by_distance
 from grounding.meaning.nouns import Noun, read_noun
 from grounding.meaning.reading import Reads
@@ -25,7 +25,7 @@ def attached(reader: Reads, noun: Noun) -> tuple[Noun, list[Condition]]:
         concept = NEAREST if noun.distance == "near" else FARTHEST
         found.append(Condition(concept, (again(mentioned),), said=noun.distance))
         noun = replace(noun, distance=None)
-    modifiers = points_together(_separate(noun.modifiers))
+    modifiers = points_together(sides_of_possessions(_separate(noun.modifiers)))
     for place, modifier in enumerate(modifiers):
         counted = counting_off(noun, modifier) if place + 1 < len(modifiers) else None
         if counted is not None:

@@ -7,6 +7,7 @@ import pytest
 from grounding.geometry.layout import Layout
 from grounding.language.parser import Parser
 from grounding.model.belief import believe, read
+from grounding.model.cases import Weights
 from grounding.model.evaluator import EVEN
 from grounding.placing import destination
 from grounding.world import World, make_object
@@ -32,7 +33,7 @@ LINES = {**ROW, **COLUMN, "free": ("blue", 0.85, 0.7)}
 
 def believed(text, world):
     scene = Scene(Layout(world))
-    return believe(read(parser().parse(text, 4), scene, (), EVEN), {**EVEN, "nothing": -3.0})
+    return believe(read(parser().parse(text, 4), scene, (), EVEN), Weights({**EVEN, "nothing": -3.0}))
 
 
 @pytest.mark.parametrize(
