@@ -1,7 +1,7 @@
 """Figures 6 and 7: instructions of a corpus, and some of our own, with what their phrases were grounded to.
 
 Instructions of the corpus are grounded on their annotated trees, by factors learned from all examples of other
-wordings; those of our own are parsed and grounded as they are in use, by what ships with the project.
+wordings; those of our own by the grammar and the factors that ship with the project.
 """
 
 from __future__ import annotations
@@ -121,14 +121,15 @@ def _best(figures: Sequence[tuple[bool, Figure]], count: int) -> tuple[Figure, .
 
 
 def own_figures() -> tuple[Figure, ...]:
-    """Figures of instructions in words of our own, in scenes and with weights that ship with the project."""
+    """Figures of instructions in words of our own, in scenes and with factors that ship with the project."""
     grounder = Grounder.load()
     figures = []
     for own in OWN:
         world = load_world(models.SCENES / f"{own.scene}.json")
-        result = grounder.ground(own.text, world)
-        note = f"in words of our own, in the scene {own.scene!r}, with the grammar and the weights that ship"
-        figures.append(Figure(own.name, own.text, world, telling_panels(result.phrases, world), note))
+        tree = grounder.parser.parse(own.text, 1)[0].tree
+        best = grounder.inference.infer(tree, Layout(world)).hypotheses[0]
+        note = f"in words of our own, in the scene {own.scene!r}, with the grammar and the factors that ship"
+        figures.append(Figure(own.name, own.text, world, telling_panels(phrases_of(tree, best), world), note))
     return tuple(figures)
 
 

@@ -4,13 +4,15 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+import numpy as np
+
 from grounding.language.tree import Phrase
 from grounding.meaning.nouns import Noun, read_noun
 from grounding.meaning.reader import Reader
 from grounding.meaning.reading import Context
 from grounding.meaning.referents import Referent
 from grounding.model.belief import Reading
-from grounding.model.cases import Denotation
+from grounding.model.cases import Denotation, combined
 from grounding.model.evaluator import Evaluator
 from grounding.world import Array
 from grounding.world.scene import Scene
@@ -55,6 +57,17 @@ class PhraseReader:
         """What a noun means."""
         referent = Reader(self.context).refer(noun)
         return Meant(referent, self.evaluator.denote(referent))
+
+    def among(self, referent: Referent, mask: np.ndarray) -> Denotation:
+        """What a referent of objects means if nothing but some objects is there.
+
+        Args:
+            referent: as it was read.
+            mask: of those objects, boolean (n,).
+        """
+        scene, weights = self.scene, self.evaluator.weights
+        cases = self.evaluator.cases(referent, mask.astype(float))
+        return combined(cases, weights, scene.n, self.evaluator.truth_within(referent), several=False)
 
     def phrase(self, phrase: Phrase) -> Meant:
         """What a noun phrase means."""

@@ -15,7 +15,7 @@ from grounding.world import Array
 
 _MOST = 5  # hypotheses that are kept
 _LEAST = 0.03  # of the likeliest one's share
-_ITSELF = 0.02  # what is moved is hardly where it is moved to
+_ITSELF = 0.02  # where all else is less likely than this, another of the kind of what is moved is meant
 
 
 @dataclass(frozen=True, eq=False)
@@ -104,7 +104,10 @@ def _objects(noun: Noun, source: int, reader: PhraseReader) -> list[tuple[tuple[
     if referent.sort not in (OBJECTS, SETS, PLACE):
         return []
     weights = denotation.weights.copy()
-    weights[source] *= _ITSELF
+    weights[source] = 0.0
+    if weights.max(initial=0.0) <= _ITSELF < denotation.weights[source]:  # nothing is put beside itself
+        weights = reader.among(referent, np.arange(len(weights)) != source).weights.copy()
+        weights[source] = 0.0
     if not weights.any():
         return []
     return [((int(i),), float(weights[i])) for i in np.argsort(-weights, kind="stable")[: 2 * _MOST] if weights[i] > 0]

@@ -74,6 +74,8 @@ def hear(phrase: Phrase, further: tuple[str, ...] = ()) -> Heard:
                 child = child or inner
             elif measure is None:
                 measure, counting = size, read_noun(inner).head == "block"
+    if child is None and texts == ["of"]:  # "of nine blocks" tells of what, not how far
+        child, measure, counting = next((c for c in phrase.phrases if c.tag == "NP"), None), None, False
     nested = next((c for c in phrase.phrases if c.tag in ("PP", "ADVP")), None) if child is None else None
     silent = not said.distance and not said.ordinals and not said.directions and measure is None
     if nested is not None and not silent:
