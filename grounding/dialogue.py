@@ -80,11 +80,13 @@ def decide(
     if refusal is not None:
         return Grounding(text, "not_understood", explanation=refusal, unknown_words=words, phrases=phrases)
     understood = any(reading.cases and reading.place >= 0 for reading in belief.readings)
-    gone = bool(understood or literal.missing) and belief.nothing >= value("answer.missing")
-    if gone and literal.missing:
+    heard = bool(understood or literal.missing)
+    gone = heard and belief.nothing >= value("answer.missing")
+    doubted = gone or (heard and belief.is_empty)
+    if doubted and literal.missing:
         return Grounding(text, "no_referent", explanation=literal.missing, unknown_words=words, phrases=phrases)
-    if gone or (belief.agreement < CREDIBLE and not literal.options):
-        missing = whats_missing(tree, scene) if gone or understood or found[0].actions else None
+    if doubted or (belief.agreement < CREDIBLE and not literal.options):
+        missing = whats_missing(tree, scene) if doubted or understood or found[0].actions else None
         if missing is not None:
             words = tuple(dict.fromkeys((*words, *unknown_things(tree, scene.layout))))
             return Grounding(text, "no_referent", explanation=missing, unknown_words=words, phrases=phrases)
@@ -151,7 +153,7 @@ def _believed(found: Sequence[Reading], scene: Scene, belief: Belief) -> Believe
     best, second = options[0].probability, options[1].probability if len(options) > 1 else 0.0
     least = min(LISTED, EVEN * best)
     listed = _told_apart([option for option in options if option.probability >= least])
-    sure = best >= value("answer.least") and best >= value("answer.margin") * second
+    sure = best >= value("answer.least") and best >= value("answer.margin") * second and not belief.is_empty
     least = RIVAL * best if sure else 0.0
     actions = tuple(
         action_of(option, found, scene, belief, placed=option.probability >= least) for option in listed[: MOST + 1]

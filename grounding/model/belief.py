@@ -86,6 +86,11 @@ class Belief:
         """How likely it is that nothing here is meant."""
         return self.probability(NOTHING) if self.options else 1.0
 
+    @property
+    def is_empty(self) -> bool:
+        """Whether it is likelier that nothing here is meant than any single thing."""
+        return bool(self.options) and self.options[0][0] == NOTHING
+
     def probability(self, objects: Objects) -> float:
         """How likely some objects are what is meant."""
         return next((share for names, share in self.options if names == objects), 0.0)

@@ -164,8 +164,10 @@ def test_what_is_placed_has_a_place(text):
         assert action.action != "place" or action.destination is not None
 
 
-def test_a_row_that_is_not_there_is_not_replaced_by_another():
-    assert answer("pick up the middle block in the row of seven blocks", "default")[0] == "no_referent"
+@pytest.mark.parametrize("number", ["seven", "eight", "nine", "eleven"])
+@pytest.mark.parametrize("text", ["pick up the middle block in the row of {} blocks", "pick up the row of {} blocks"])
+def test_a_row_that_is_not_there_is_not_replaced_by_another(text, number):
+    assert answer(text.format(number), "default")[0] == "no_referent"
 
 
 @pytest.mark.xfail(strict=False, reason="several rows that fit are taken for none")
