@@ -27,6 +27,7 @@ SAID = [
      ["toward right of x2"]),
     ("(PP (IN with) (NP (NP (DT a) (JJ red) (NN block)) (PP (IN to) (NP (PRP$ its) (NN right)))))",
      ["toward left of x2"]),
+    ("(PP (IN of) (NP (CD nine) (NNS blocks)))", ["member of x2"]),
     # nearness, contact, support, between
     (f"(PP (JJ next) (IN to) {TOWER})", ["beside x2"]),
     (f"(PP (VBG touching) {TOWER})", ["touching x2"]),
