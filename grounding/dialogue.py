@@ -76,27 +76,10 @@ def decide(
     """
     tree, words = found[0].inference.tree, tuple(unknown)
     phrases = by_factors(found[0], {})
-    refusal = forbidden(tree)
-    if refusal is not None:
-        return Grounding(text, "not_understood", explanation=refusal, unknown_words=words, phrases=phrases)
     understood = any(reading.cases and reading.place >= 0 for reading in belief.readings)
-    heard = bool(understood or literal.missing)
-    gone = heard and belief.nothing >= value("answer.missing")
-    doubted = gone or (heard and belief.is_empty)
-    if doubted and literal.missing:
-        return Grounding(text, "no_referent", explanation=literal.missing, unknown_words=words, phrases=phrases)
-    if doubted or (belief.agreement < CREDIBLE and not literal.options):
-        missing = whats_missing(tree, scene) if doubted or understood or found[0].actions else None
-        if missing is not None:
-            words = tuple(dict.fromkeys((*words, *unknown_things(tree, scene.layout))))
-            return Grounding(text, "no_referent", explanation=missing, unknown_words=words, phrases=phrases)
-        if gone:
-            thing = next((p.text for p in tree.preorder() if p.tag == "NP"), tree.text)
-            why = f"nothing here is {thing!r}"
-            return Grounding(text, "no_referent", explanation=why, unknown_words=words, phrases=phrases)
-    hollow = nothing_before(tree) if not understood else None
-    if hollow is not None:
-        return Grounding(text, hollow.outcome, explanation=hollow.explanation, unknown_words=words, phrases=phrases)
+    refused = _refused(text, found[0], scene, words, belief, literal, understood=understood)
+    if refused is not None:
+        return replace(refused, phrases=phrases)
     believed = _believed(found, scene, belief) if belief.listed() else _by_factors(found, scene)
     if believed is None:
         believed = _open(found, scene)
@@ -125,6 +108,34 @@ def decide(
     return Grounding(
         text, result.outcome, result.actions, result.alternatives, result.question, result.explanation, words, 0.0, told
     )
+
+
+def _refused(
+    text: str, reading: Reading, scene: Scene, words: tuple[str, ...], belief: Belief, literal: LiteralBelief, *,
+    understood: bool,
+) -> Grounding | None:  # fmt: skip
+    """An answer where what is asked for is forbidden, is not there, or speaks of what was not handled yet."""
+    tree = reading.inference.tree
+    refusal = forbidden(tree)
+    if refusal is not None:
+        return Grounding(text, "not_understood", explanation=refusal, unknown_words=words)
+    heard = bool(understood or literal.missing)
+    gone = heard and belief.nothing >= value("answer.missing")
+    doubted = gone or (heard and belief.is_empty)
+    if doubted and literal.missing:
+        return Grounding(text, "no_referent", explanation=literal.missing, unknown_words=words)
+    if doubted or (belief.agreement < CREDIBLE and not literal.options):
+        missing = whats_missing(tree, scene) if doubted or understood or reading.actions else None
+        if missing is not None:
+            words = tuple(dict.fromkeys((*words, *unknown_things(tree, scene.layout))))
+            return Grounding(text, "no_referent", explanation=missing, unknown_words=words)
+        if gone:
+            thing = next((p.text for p in tree.preorder() if p.tag == "NP"), tree.text)
+            return Grounding(text, "no_referent", explanation=f"nothing here is {thing!r}", unknown_words=words)
+    hollow = nothing_before(tree) if not understood else None
+    if hollow is not None:
+        return Grounding(text, hollow.outcome, explanation=hollow.explanation, unknown_words=words)
+    return None
 
 
 def _outcome(text: str, believed: Believed, scene: Scene) -> Grounding:
