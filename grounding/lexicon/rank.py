@@ -69,12 +69,6 @@ def middle(scene: Scene, pool: Array, *, chosen: bool) -> Array:
     return np.asarray((1 - share) * found + share * of_all)
 
 
-def counting_key(scene: Scene, view: str, kinds: tuple[str, ...]) -> Array:
-    """Where objects come when they are counted without a direction, shape (n,): columns from the back, else left."""
-    name = "back" if "column" in kinds and "row" not in kinds else "left"
-    return np.asarray(scene.xy @ scene.direction(name, view))
-
-
 def counted_off(scene: Scene, view: str, pool: Array, index: int, kinds: tuple[str, ...]) -> Array:
     """An ordinal without a direction, shape (n,): from the left of a row, the back of a column, or whichever.
 
@@ -87,7 +81,7 @@ def counted_off(scene: Scene, view: str, pool: Array, index: int, kinds: tuple[s
     """
     noise, share = blur(scene), value("rank.from_left")
     if "row" in kinds or "column" in kinds:
-        key = counting_key(scene, view, kinds)
+        key = scene.xy @ scene.direction("left" if "row" in kinds else "back", view)
         return np.asarray(share * truth(pool, key, index, noise) + (1 - share) * truth(pool, -key, index, noise))
     spread = scene.xy[pool > 0.3 * peak(pool)]
     extent = np.ptp(spread, axis=0) if len(spread) else np.ones(2)

@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from grounding.lexicon import arrangement, place, rank
+from grounding.lexicon import place, rank
 from grounding.lexicon.degrees import peak
 from grounding.lexicon.parameters import value
 from grounding.lexicon.person import distance_from
@@ -192,31 +192,6 @@ def first_of(orders: Sequence[Order], weights: Array, number: int) -> np.ndarray
     mask = np.zeros(len(weights), dtype=bool)
     mask[likely[np.argsort(-key[likely], kind="stable")][:number]] = True
     return mask
-
-
-def counted_first(
-    evaluator: Evaluates, conditions: Sequence[Condition], pool: Pool, number: int
-) -> list[arrangement.Candidate]:
-    """The first or the last so many where nothing tells from where to count: "the first two".
-
-    Args:
-        evaluator: of a scene.
-        conditions: of the referent.
-        pool: of those among which is chosen.
-        number: how many.
-    """
-    ends = [c.rank for c in conditions if c.concept == "ordinal" and c.rank in (1, -1)]
-    likely = np.flatnonzero(pool.weights > 0.3 * peak(pool.weights))
-    if not ends or not 0 < number <= len(likely):
-        return []
-    key = ends[0] * rank.counting_key(evaluator.scene, evaluator.view, pool.kinds)
-    share = value("rank.from_left")
-    found = []
-    for looks, sign in ((share, 1.0), (1 - share, -1.0)):
-        mask = np.zeros(len(key), dtype=bool)
-        mask[likely[np.argsort(-sign * key[likely], kind="stable")][:number]] = True
-        found.append(arrangement.Candidate(mask, looks, "ranked"))
-    return found
 
 
 def _upright(scene: Scene, weights: Array) -> bool:

@@ -12,7 +12,7 @@ from grounding.lexicon.degrees import softened
 from grounding.lexicon.parameters import value
 from grounding.meaning.referents import SETS, Condition, Referent
 from grounding.model.cases import Case, Denotation, Weights
-from grounding.model.choosing import Order, Pool, choose, counted_first, counts_from, first_of, orders_of
+from grounding.model.choosing import Order, Pool, choose, counts_from, first_of, orders_of
 from grounding.model.features import add_held, add_rank, logarithm
 from grounding.model.restricting import SETS as TRIED
 from grounding.model.restricting import Evaluates, Held, lane, restricted
@@ -172,14 +172,10 @@ def _several(evaluator: Evaluates, referent: Referent, case: Case, pool: Array, 
     orders: list[Order] = orders_of(
         evaluator, referent.conditions, Pool(pool), kind, several=referent.number is not None
     )
-    kinds = tuple(k for c in referent.conditions if c.chooses for k in c.of[0].kinds)
-    found: list[arrangement.Candidate] = []
-    if referent.number:
-        first = first_of(orders, pool, referent.number)
-        found = [arrangement.Candidate(first, 1.0, "ranked")] if first is not None else counted_first(
-            evaluator, referent.conditions, Pool(pool, kinds), referent.number
-        )  # fmt: skip
-    if not found:
+    first = first_of(orders, pool, referent.number) if referent.number else None
+    if first is not None:
+        found = [arrangement.Candidate(first, 1.0, "ranked")]
+    else:
         found = arrangement.collected(scene, pool, referent.number, referent.universal)
     return [set_case(case, found, referent.number)] if found else []
 
