@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from grounding.graded.discourse import HANDLING
-from grounding.graded.history import is_surely_recalled
 from grounding.graded.reader import Reader
 from grounding.language.lexicon import meanings
 from grounding.language.tree import Phrase
 from grounding.lexicon import words as w
+from grounding.meaning.discourse.verbs import HANDLING
 from grounding.meaning.nouns import Noun, read_noun
+from grounding.meaning.recall import is_surely_recalled
 from grounding.missing import targets, unknown_things, whats_missing
 from grounding.world.scene import Scene
 

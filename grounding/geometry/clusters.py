@@ -6,6 +6,7 @@ import numpy as np
 
 from grounding.geometry.arrangement import Arrangement
 from grounding.world import Array
+from grounding.world.linkage import spanning_tree
 
 SAME = 1e-9  # distances that differ by less are the same [m]
 
@@ -18,7 +19,7 @@ def find_groups(positions: Array, distances: Array) -> list[Arrangement]:
     label = list(range(n))
     found: list[tuple[list[int], float, int]] = []
     parent_gap: dict[int, float] = {}
-    for number, (gap, i, j) in enumerate(_spanning_tree(distances), start=n):
+    for number, (gap, i, j) in enumerate(spanning_tree(distances), start=n):
         a, b = label[i], label[j]
         members = sorted(clusters.pop(a) + clusters.pop(b))
         clusters[number] = members
@@ -37,21 +38,3 @@ def find_groups(positions: Array, distances: Array) -> list[Arrangement]:
         )
         for (members, gap, number), centroid in zip(kept, sums / sizes[:, None], strict=True)
     ]
-
-
-def _spanning_tree(distances: Array) -> list[tuple[float, int, int]]:
-    """Edges of the minimum spanning tree (Prim), shortest first."""
-    n = len(distances)
-    best = distances[0].copy()
-    source = np.zeros(n, dtype=int)
-    outside = np.ones(n, dtype=bool)
-    outside[0] = False
-    edges: list[tuple[float, int, int]] = []
-    for _ in range(n - 1):
-        candidate = int(np.argmin(np.where(outside, best, np.inf)))
-        edges.append((float(best[candidate]), int(source[candidate]), candidate))
-        outside[candidate] = False
-        closer = distances[candidate] < best
-        best = np.where(closer, distances[candidate], best)
-        source[closer] = candidate
-    return sorted(edges)

@@ -7,12 +7,12 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from grounding.graded import scores, sets
-from grounding.graded.colors import colored
+from grounding.graded import sets
 from grounding.graded.selectors import adjectives
 from grounding.graded.values import SETS, Membership, Rank, Restriction, Value
 from grounding.language.lexicon import meanings
 from grounding.language.tree import Phrase
+from grounding.lexicon import arrangement, colour, degrees, parameters
 from grounding.meaning.nouns import Noun, read_noun
 from grounding.symbols import Cardinal
 from grounding.world import Array
@@ -33,7 +33,7 @@ def read_arrangement(reader: Reader, noun: Noun) -> Value:
     colors, number, rest = _contents(noun)
     stuff = np.ones(scene.n, dtype=bool)
     if colors:
-        stuff = colored(scene, colors) > 0.5
+        stuff = colour.truth(scene, colors) > 0.5
     wanted = number if not noun.plural else None
     found = sets.arranged(scene, noun.kinds, stuff, wanted)
     exists = sets.existence(found, wanted, noun.kinds)
@@ -55,7 +55,7 @@ def _spoken_of(reader: Reader, noun: Noun) -> np.ndarray | None:
     """The several that "that cluster" points back to, boolean (n,); None where it points to nothing."""
     if reader.context is None or noun.plural or noun.modifiers or noun.text.split()[0] not in ("that", "this"):
         return None
-    spoken = reader.context > 0.3 * scores.peak(reader.context)
+    spoken = reader.context > 0.3 * degrees.peak(reader.context)
     return spoken if spoken.sum() > 1 else None
 
 
@@ -104,8 +104,8 @@ def _counted_lines(scene: Scene, noun: Noun, stuff: np.ndarray) -> sets.Sets:
     if not (noun.ordinals or ends or noun.middle):
         return []
     found: dict[bytes, tuple[np.ndarray, float]] = {}
-    for gap in sets.GAPS:
-        parts = sets.partition(scene, stuff, kind, gap)
+    for gap in arrangement.GAPS:
+        parts = arrangement.partition(scene, stuff, kind, gap)
         index = noun.ordinals[0] - 1 if noun.ordinals and noun.ordinals[0] > 0 else -1
         if ends:
             index = ends[0] if not noun.ordinals else index if ends[0] == 0 else -1 - index
@@ -113,7 +113,7 @@ def _counted_lines(scene: Scene, noun: Noun, stuff: np.ndarray) -> sets.Sets:
             index = len(parts) // 2
         if -len(parts) <= index < len(parts):
             mask = parts[index]
-            weight = found.get(mask.tobytes(), (mask, 0.0))[1] + 1.0 / len(sets.GAPS)
+            weight = found.get(mask.tobytes(), (mask, 0.0))[1] + 1.0 / len(arrangement.GAPS)
             found[mask.tobytes()] = (mask, weight)
     return sorted(found.values(), key=lambda item: -item[1])
 
@@ -131,10 +131,10 @@ def _modified(reader: Reader, noun: Noun, found: sets.Sets, modifiers: list[Phra
     for modifier in modifiers:
         for effect in reader.effects(modifier, np.ones(scene.n)):
             if isinstance(effect, Restriction):
-                weights = weights * scores.softened(shares @ effect.weights)
+                weights = weights * degrees.softened(shares @ effect.weights)
             elif isinstance(effect, Membership):
                 inside = sum(chance * (shares @ mask) for mask, chance in effect.sets[:SETS])
-                weights = weights * np.minimum(1.0, scores.FLOOR + inside)
+                weights = weights * np.minimum(1.0, parameters.value("answer.floor") + inside)
             else:
                 ranks.append(effect)
     ordinals = list(noun.ordinals)
@@ -174,9 +174,9 @@ def _ranked(masks: Array, weights: Array, key: Array, index: int, noise: float) 
     order = np.argsort(-weights, kind="stable")
     for place, i in enumerate(order):
         keep[i] = not any(keep[j] and (masks[i] * masks[j]).any() for j in order[:place])
-    ranked = scores.ranked(weights * keep, key, index, noise)
+    ranked = degrees.ranked(weights * keep, key, index, noise)
     for i in np.flatnonzero(~keep):
         rival = weights * keep * ~((masks @ masks[i]) > 0)
         rival[i] = weights[i]
-        ranked[i] = 0.6 * scores.ranked(rival, key, index, noise)[i]
+        ranked[i] = 0.6 * degrees.ranked(rival, key, index, noise)[i]
     return np.asarray(ranked)

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from grounding.graded import scores
+from grounding.lexicon import between, degrees
 from grounding.world import Array
 from grounding.world.scene import Scene
 
@@ -73,8 +74,8 @@ def between_two(scene: Scene, first: Array, second: Array) -> Array:
         first[i] * second[j] * np.exp(-max(float(scene.apart[i, j]) / scene.edge - 2.5, 0.0) / SPAN) for i, j in pairs
     ])  # fmt: skip
     total = np.zeros(scene.n)
-    for (i, j), chance in zip(pairs, worth / scores.peak(worth), strict=True):
-        held = scores.between(scene.xy, scene.xy[i], scene.xy[j], scene.edge)
+    for (i, j), chance in zip(pairs, worth / degrees.peak(worth), strict=True):
+        held = between.truth(scene.xy, scene.xy[i], scene.xy[j], scene.edge)
         held[[i, j]] = 0.0
         total = np.maximum(total, chance * held)
     return total

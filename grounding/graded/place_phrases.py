@@ -6,9 +6,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from grounding.graded import scores
 from grounding.graded.places import in_place, make_place, part_of
 from grounding.graded.values import Restriction, Value
+from grounding.lexicon import degrees
 from grounding.meaning.nouns import Noun, read_noun
 
 if TYPE_CHECKING:
@@ -38,7 +38,7 @@ def read_place(reader: Reader, noun: Noun) -> Value:
     for modifier in noun.modifiers:
         for effect in reader.effects(modifier, np.ones(scene.n)):
             if isinstance(effect, Restriction):
-                weights = weights * scores.softened(effect.weights)
+                weights = weights * degrees.softened(effect.weights)
     return Value("place", weights, place=place)
 
 

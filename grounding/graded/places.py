@@ -8,6 +8,7 @@ import numpy as np
 
 from grounding.graded import scores
 from grounding.graded.values import SETS, Effect, Place, Restriction, Value
+from grounding.lexicon import degrees
 from grounding.lexicon import words as w
 from grounding.world import Array
 from grounding.world.scene import Scene
@@ -93,13 +94,13 @@ def part_of(scene: Scene, place: Place, whole: Value) -> Value:
         pool = mask.astype(float)
         upright = bool(scene.stacked[mask].all()) if mask.any() else False
         if upright and place.upright:
-            total += chance * scores.ranked(pool, place.upright * scene.z, 1, 0.3 * scene.edge)
+            total += chance * degrees.ranked(pool, place.upright * scene.z, 1, 0.3 * scene.edge)
         elif place.outer and mask.any():
-            total += chance * scores.ranked(pool, np.abs(_along(scene, pool)), 1, 0.3 * scene.edge)
+            total += chance * degrees.ranked(pool, np.abs(_along(scene, pool)), 1, 0.3 * scene.edge)
         elif place.middle and not place.directions:
             total += chance * middle_one(scene, pool, chosen=True)
         else:
-            total += chance * scores.ranked(pool, closeness(scene, place), 1, 0.3 * scene.edge)
+            total += chance * degrees.ranked(pool, closeness(scene, place), 1, 0.3 * scene.edge)
     return Value("objects", total / max(1.0, float(total.max(initial=0.0))), place=place)
 
 
@@ -124,7 +125,7 @@ def middle_one(scene: Scene, pool: Array, *, chosen: bool) -> Array:
         return pool
     noise = 0.35 * scene.edge
     centre = pool @ scene.xy / total
-    by_centre = scores.ranked(pool, -np.linalg.norm(scene.xy - centre, axis=1), 1, noise)
+    by_centre = degrees.ranked(pool, -np.linalg.norm(scene.xy - centre, axis=1), 1, noise)
     likely = np.flatnonzero(pool > 0.3 * pool.max())
     by_rank = np.zeros(scene.n)
     if len(likely) > 2:
@@ -135,5 +136,5 @@ def middle_one(scene: Scene, pool: Array, *, chosen: bool) -> Array:
         by_rank[middle] = pool[middle] / len(middle)
     if chosen:
         return np.asarray(0.5 * by_centre + 0.5 * by_rank)
-    of_all = scores.ranked(pool, -np.linalg.norm(scene.seen, axis=1), 1, noise)
+    of_all = degrees.ranked(pool, -np.linalg.norm(scene.seen, axis=1), 1, noise)
     return np.asarray(0.4 * by_centre + 0.3 * by_rank + 0.3 * of_all)

@@ -7,15 +7,15 @@ from dataclasses import replace
 import numpy as np
 
 from grounding.graded import history as past
-from grounding.graded import scores
 from grounding.graded.arrangements import read_arrangement
-from grounding.graded.colors import colored
 from grounding.graded.modifiers import read_effects, with_modifiers
 from grounding.graded.place_phrases import read_place
 from grounding.graded.selection import FAINT, select
 from grounding.graded.values import SETS, Effect, Rank, Value
 from grounding.language.tree import Phrase
+from grounding.lexicon import colour, degrees
 from grounding.lexicon import words as w
+from grounding.meaning import recall
 from grounding.meaning.nouns import Noun, read_noun
 from grounding.world import Array
 from grounding.world.scene import ROBOT, Scene
@@ -52,8 +52,8 @@ class Reader:
     def noun(self, noun: Noun) -> Value:
         """What a noun that was read is worth."""
         n = self.scene.n
-        if past.is_recalled(noun) and (self.history or past.is_surely_recalled(noun)):
-            return Value("objects", past.latest(self.history, colored(self.scene, noun.colors)))
+        if recall.is_recalled(noun) and (self.history or recall.is_surely_recalled(noun)):
+            return Value("objects", past.latest(self.history, colour.truth(self.scene, noun.colors)))
         if noun.conjoined:
             return self._conjoined(noun)
         match noun.head:
@@ -96,20 +96,20 @@ class Reader:
 
     def within(self, noun: Noun, pool: Array) -> Array:
         """What a noun means among objects that were spoken of, weights (n,)."""
-        inside = np.where(pool > 0.3 * scores.peak(pool), 1.0, FAINT)
-        return self.chosen(noun, colored(self.scene, noun.colors) * inside).weights
+        inside = np.where(pool > 0.3 * degrees.peak(pool), 1.0, FAINT)
+        return self.chosen(noun, colour.truth(self.scene, noun.colors) * inside).weights
 
     def ranked_again(self, target: Array, rank: Rank) -> Array:
         """Objects that were found, ranked by what is said afterwards."""
-        return target * scores.ranked(target / scores.peak(target), rank.key, rank.ordinal or 1, rank.noise)
+        return target * degrees.ranked(target / degrees.peak(target), rank.key, rank.ordinal or 1, rank.noise)
 
     def _objects(self, noun: Noun) -> Value:
         if noun.head == "other" and not (noun.modifiers or noun.colors):
             return Value("nothing", np.zeros(self.scene.n))
         if self.several and self.context is not None and _points_back(noun):
-            inside = self.context > 0.3 * scores.peak(self.context)
+            inside = self.context > 0.3 * degrees.peak(self.context)
             return Value("sets", self.context, ((inside, 1.0),), number=noun.number)
-        value = self.chosen(noun, colored(self.scene, noun.colors))
+        value = self.chosen(noun, colour.truth(self.scene, noun.colors))
         return replace(value, weights=STRANGE * value.weights) if noun.strange else value
 
     def _unspoken(self, noun: Noun) -> Array | None:
@@ -118,7 +118,7 @@ class Reader:
             return 1 - 0.98 * self.context
         if noun.other and self.history:
             colors = tuple(item.color for item in self.scene.layout.things)
-            return scores.softened(past.others(self.history, colors, noun))
+            return degrees.softened(past.others(self.history, colors, noun))
         return None
 
     def _pronoun(self) -> Value:

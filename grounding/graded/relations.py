@@ -9,6 +9,7 @@ import numpy as np
 
 from grounding.graded import scores
 from grounding.graded.values import SETS, Restriction, Value
+from grounding.lexicon import degrees
 from grounding.lexicon import words as w
 from grounding.world import Array
 from grounding.world.scene import Scene
@@ -40,7 +41,7 @@ def pairwise(scene: Scene, value: Value, relation: Array) -> Array:
             held = inside.mean(axis=1) if 1 < count <= 3 and value.number else inside.max(axis=1)
             total = np.maximum(total, chance * held * ~mask)
         return total
-    likely = value.weights / scores.peak(value.weights)
+    likely = value.weights / degrees.peak(value.weights)
     return np.asarray(1.0 - np.exp(np.log1p(-np.minimum(relation * likely[None, :], 1 - 1e-9)).sum(axis=1)))
 
 
@@ -122,8 +123,8 @@ def _counted_off(scene: Scene, start: Array, vector: Array, index: int) -> Array
         return np.zeros(scene.n)
     ahead = (scene.xy - start) @ vector / length
     side = np.abs((scene.xy - start) @ np.array([-vector[1], vector[0]]) / length)
-    lane = scores.logistic((ahead / scene.edge - 0.4) / 0.12) * np.exp(-0.5 * (side / (0.9 * scene.edge)) ** 2)
-    return scores.ranked(lane, -ahead, index, 0.3 * scene.edge)
+    lane = degrees.logistic((ahead / scene.edge - 0.4) / 0.12) * np.exp(-0.5 * (side / (0.9 * scene.edge)) ** 2)
+    return degrees.ranked(lane, -ahead, index, 0.3 * scene.edge)
 
 
 def _starts(scene: Scene, value: Value) -> list[tuple[Array, float]]:
@@ -133,7 +134,7 @@ def _starts(scene: Scene, value: Value) -> list[tuple[Array, float]]:
         return [(centre + (np.sum(value.place.directions, axis=0) * half if value.place.directions else 0.0), 1.0)]
     if value.kind == "sets":
         return [(scene.xy[mask].mean(axis=0), chance) for mask, chance in value.sets[:SETS] if mask.any()]
-    best = scores.peak(value.weights)
+    best = degrees.peak(value.weights)
     return [(scene.xy[i], float(value.weights[i]) / best) for i in np.argsort(-value.weights)[:4]]
 
 

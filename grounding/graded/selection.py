@@ -6,15 +6,16 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from grounding.graded import scores, sets
+from grounding.graded import sets
 from grounding.graded.selectors import adjectives, choose
 from grounding.graded.surroundings import lone, single
 from grounding.graded.values import SETS, Effect, Membership, Rank, Restriction, Value
+from grounding.lexicon import degrees, parameters
 from grounding.meaning.nouns import Noun
 from grounding.world import Array
 from grounding.world.scene import Scene
 
-FAINT = scores.FLOOR * scores.FLOOR
+FAINT = parameters.value("answer.floor") * parameters.value("answer.floor")
 """What lies outside a set from which is chosen."""
 
 _LONELY = 0.3  # a first or last one needs others behind or before it
@@ -58,7 +59,7 @@ def select(
     weights = said.weights
     if noun.lone:
         ranked = noun.unstacked and bool(said.ranks or noun.ordinals or noun.directions or noun.distance)
-        weights = weights * scores.softened(single(scene, base) if ranked else lone(scene, base))
+        weights = weights * degrees.softened(single(scene, base) if ranked else lone(scene, base))
     if unspoken is not None:
         weights = weights * unspoken
     plain = not said.in_stack and not noun.plural and "up" not in noun.directions and "down" not in noun.directions
@@ -82,7 +83,7 @@ def select(
     ranking = bool(said.ranks or noun.ordinals or noun.distance or noun.directions)
     if noun.definite and not ranking:
         held = total / salience  # to be easily seen is no description
-        total = total * (held / scores.peak(held)) ** _UNIQUE
+        total = total * (held / degrees.peak(held)) ** _UNIQUE
     return Value("objects", total * said.preference ** (0.15 if ranking else 1.0), definite=noun.definite)
 
 
@@ -103,9 +104,9 @@ def _sort(scene: Scene, noun: Noun, base: Array, effects: list[Effect]) -> _Sort
     ranks: list[Rank] = []
     for effect in effects:
         if isinstance(effect, Restriction) and effect.preferred:
-            preference = preference * scores.softened(effect.weights)
+            preference = preference * degrees.softened(effect.weights)
         elif isinstance(effect, Restriction):
-            weights = weights * scores.softened(_counted(effect, noun))
+            weights = weights * degrees.softened(_counted(effect, noun))
             if effect.order is not None and noun.ordinals:
                 ranks.append(Rank(effect.order, None, 0.3 * scene.edge))
         elif isinstance(effect, Membership):
@@ -145,7 +146,7 @@ def _several(scene: Scene, view: str, noun: Noun, pool: Array, ranks: list[Rank]
     """What a plural may mean in a pool: the first so many where they are ranked, else what lies together."""
     ranks = ranks + adjectives(scene, view, noun, pool)
     if ranks and noun.number:
-        likely = np.flatnonzero(pool > 0.3 * scores.peak(pool))
+        likely = np.flatnonzero(pool > 0.3 * degrees.peak(pool))
         if len(likely) >= noun.number:
             key = np.asarray(sum(r.key / r.noise for r in ranks))
             order = likely[np.argsort(-key[likely], kind="stable")][: noun.number]

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
-from grounding.graded import scores
 from grounding.graded.people import distance_from
 from grounding.graded.places import closeness, make_place, middle_one
 from grounding.graded.values import Rank
+from grounding.lexicon import degrees
 from grounding.meaning.nouns import Noun
 from grounding.world import Array
 from grounding.world.scene import ROBOT, Scene
@@ -45,9 +45,9 @@ def choose(
         index = rank.ordinal or (ordinals.pop(0) if ordinals else 1)
         noise = rank.noise * (scale if index == 1 else 1.0)
         key = rank.height * scene.z if in_stack and rank.height else rank.key
-        part = scores.ranked(pool, key, index, noise)
+        part = degrees.ranked(pool, key, index, noise)
         if rank.height > 0 and index == 1 and not in_stack and _uneven(scene, pool):
-            part = (1 - _HIGHEST) * part + _HIGHEST * scores.ranked(pool, key + _ABOVE * scene.z, index, noise)
+            part = (1 - _HIGHEST) * part + _HIGHEST * degrees.ranked(pool, key + _ABOVE * scene.z, index, noise)
         weights = weights * part if len(ranks) > 1 else part
     if noun.middle and not noun.directions:
         weights = middle_one(scene, weights, chosen=chosen)
@@ -78,13 +78,14 @@ def adjectives(
 
 def _upright(scene: Scene, pool: Array) -> bool:
     """Whether all that is likely belongs to stacks."""
-    likely = pool > 0.5 * scores.peak(pool)
+    likely = pool > 0.5 * degrees.peak(pool)
     return bool(likely.any()) and bool(scene.stacked[likely].all())
 
 
 def _uneven(scene: Scene, pool: Array) -> bool:
     """Whether something likely lies on something, and colours tell things apart; else people speak of places."""
-    return len(scene.layout.colors) > 1 and bool((scene.stacked & scene.clear & (pool > 0.3 * scores.peak(pool))).any())
+    lying = scene.stacked & scene.clear & (pool > 0.3 * degrees.peak(pool))
+    return len(scene.layout.colors) > 1 and bool(lying.any())
 
 
 def _counted_off(scene: Scene, view: str, pool: Array, ordinal: int, kinds: tuple[str, ...]) -> Array:
@@ -93,7 +94,7 @@ def _counted_off(scene: Scene, view: str, pool: Array, ordinal: int, kinds: tupl
     if "row" in kinds or "column" in kinds:
         key = scene.xy @ scene.direction("left" if "row" in kinds else "back", view)
         return np.asarray(
-            0.85 * scores.ranked(pool, key, ordinal, noise) + 0.15 * scores.ranked(pool, -key, ordinal, noise)
+            0.85 * degrees.ranked(pool, key, ordinal, noise) + 0.15 * degrees.ranked(pool, -key, ordinal, noise)
         )
     spread = scene.xy[pool > 0.3 * pool.max(initial=1e-9)]
     along = np.ptp(spread, axis=0) if len(spread) else np.ones(2)
@@ -101,7 +102,7 @@ def _counted_off(scene: Scene, view: str, pool: Array, ordinal: int, kinds: tupl
     left = scene.xy @ scene.direction("left", view)
     near = -np.linalg.norm(scene.xy - scene.viewpoint(ROBOT).position[:2], axis=1)
     return np.asarray(
-        0.65 * sideways * scores.ranked(pool, left, ordinal, noise)
-        + 0.15 * sideways * scores.ranked(pool, -left, ordinal, noise)
-        + (1 - 0.8 * sideways) * scores.ranked(pool, near, ordinal, noise)
+        0.65 * sideways * degrees.ranked(pool, left, ordinal, noise)
+        + 0.15 * sideways * degrees.ranked(pool, -left, ordinal, noise)
+        + (1 - 0.8 * sideways) * degrees.ranked(pool, near, ordinal, noise)
     )

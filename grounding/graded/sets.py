@@ -6,13 +6,13 @@ import math
 
 import numpy as np
 
+from grounding.lexicon import arrangement
 from grounding.world.scene import Scene
 
 Sets = list[tuple[np.ndarray, float]]
 
 _MOST = 12
 _STRETCHED = 0.12  # who counts more than stand out means the next ones too, however little they fit
-GAPS = (0.45, 0.6, 0.7, 0.8, 0.9, 1.1)  # that part two bands [edges]
 
 
 def arranged(scene: Scene, kinds: tuple[str, ...], wanted: np.ndarray, number: int | None) -> Sets:
@@ -76,28 +76,10 @@ def bands(scene: Scene, wanted: np.ndarray, kind: str) -> Sets:
     """Rows or columns as people see them: bands across the whole table, set apart by gaps."""
     found: Sets = []
     axis = 0 if kind == "row" else 1
-    for gap in GAPS:
-        for mask in partition(scene, wanted, kind, gap):
+    for gap in arrangement.GAPS:
+        for mask in arrangement.partition(scene, wanted, kind, gap):
             spread = float(np.ptp(scene.xy[mask, axis])) / scene.edge
             found.append((mask, (0.35 if mask.sum() > 1 else 0.15) * math.exp(-0.5 * (spread / 1.5) ** 2)))
-    return found
-
-
-def partition(scene: Scene, wanted: np.ndarray, kind: str, gap: float) -> list[np.ndarray]:
-    """The rows from the back to the front, or the columns from left to right, that gaps of so many edges part."""
-    members = np.flatnonzero(wanted)
-    if not len(members):
-        return []
-    axis = 0 if kind == "row" else 1
-    order = members[np.argsort(-scene.xy[members, axis], kind="stable")]
-    steps = -np.diff(scene.xy[order, axis]) / scene.edge
-    found, start = [], 0
-    for end in range(1, len(order) + 1):
-        if end == len(order) or steps[end - 1] > gap:
-            mask = np.zeros(scene.n, dtype=bool)
-            mask[order[start:end]] = True
-            found.append(mask)
-            start = end
     return found
 
 

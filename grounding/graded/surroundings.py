@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from grounding.graded import scores
+from grounding.lexicon import degrees
 from grounding.world import Array
 from grounding.world.scene import Scene
 
@@ -23,9 +23,9 @@ def lone(scene: Scene, base: Array) -> Array:
     nearest = gaps.min(axis=1)
     same = np.where(base[None, :] > 0.5, gaps, np.inf).min(axis=1)
     same = np.where(np.isfinite(same), same, nearest.max(initial=0.0) * 2)
-    alone = scores.ranked(base, nearest, 1, 0.4 * scene.edge)
-    apart = scores.ranked(base, same, 1, 0.4 * scene.edge)
-    single = scores.logistic((nearest / scene.edge - 0.7) / 0.25) * ~scene.stacked
+    alone = degrees.ranked(base, nearest, 1, 0.4 * scene.edge)
+    apart = degrees.ranked(base, same, 1, 0.4 * scene.edge)
+    single = degrees.logistic((nearest / scene.edge - 0.7) / 0.25) * ~scene.stacked
     if scene.towers:  # "the single block" is one that is not stacked
         single = np.maximum(single, UNSTACKED * ~scene.stacked)
     return np.asarray(0.2 * alone + 0.15 * apart + 0.65 * single)
@@ -35,15 +35,3 @@ def single(scene: Scene, base: Array) -> Array:
     """The same where words tell further which one is meant: all that is not stacked, where others are."""
     apart = lone(scene, base)
     return np.maximum(apart, COUNTED * ~scene.stacked) if scene.towers else apart
-
-
-def gaps_to_others(scene: Scene, others: np.ndarray) -> Array:
-    """The gap from every object to the nearest of some others than itself, shape (n,) in [m]; the widest where none is.
-
-    Args:
-        scene: the world.
-        others: which objects count, boolean (n,).
-    """
-    found = np.where(others[None, :] & ~np.eye(scene.n, dtype=bool), scene.gaps, np.inf).min(axis=1, initial=np.inf)
-    there = np.isfinite(found)
-    return np.asarray(np.where(there, found, found[there].max() if there.any() else scene.edge))

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from grounding.geometry.layout import Layout
-from grounding.graded.colors import colored
+from grounding.lexicon import colour
 from grounding.literal.values import FIRM, Missing, Unread
 from grounding.meaning.nouns import Noun
 from grounding.numbers import listed
@@ -26,7 +26,7 @@ def without(colors: Sequence[str], layout: Layout) -> str:
 def lacking(reader: LiteralReader, colors: tuple[str, ...]) -> Missing | Unread:
     """What is to be said of colours that nothing has: that they are missing, unless another one is taken for them."""
     scene = reader.scene
-    if not colors or colored(scene, colors).any():
+    if not colors or colour.truth(scene, colors).any():
         return Unread(" ".join(colors))
     told = without(colors, scene.layout)
     return Missing(told, FIRM, Noun(head="block", colors=colors, text=told))

@@ -5,7 +5,6 @@ from __future__ import annotations
 import numpy as np
 
 from grounding.geometry.masks import indices_of, mask_of, single
-from grounding.graded import history as past
 from grounding.graded.values import Effect as GradedEffect
 from grounding.graded.values import Rank, Restriction, Value
 from grounding.language.tree import Phrase
@@ -15,6 +14,7 @@ from grounding.literal.modifiers import modify
 from grounding.literal.places import mean_place
 from grounding.literal.things import mean_things
 from grounding.literal.values import FIRM, Effect, Meant, Missing, Unread, as_array
+from grounding.meaning import recall
 from grounding.meaning.nouns import Noun, read_noun
 from grounding.world import Array
 from grounding.world.scene import ROBOT, SPEAKER, Scene
@@ -69,7 +69,7 @@ class LiteralReader:
             raise
 
     def _meant(self, noun: Noun, base: int | None) -> Meant:
-        if self.history and past.is_recalled(noun):
+        if self.history and recall.is_recalled(noun):
             return self._thing(1 << self.history[-1])
         if noun.conjoined:
             return self._joined(noun)

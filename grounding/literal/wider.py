@@ -15,8 +15,8 @@ import numpy as np
 
 from grounding.geometry.masks import indices_of
 from grounding.graded import sets
-from grounding.graded.colors import colored
 from grounding.graded.reader import Reader
+from grounding.lexicon import colour
 from grounding.literal.values import FIRM, Missing
 from grounding.meaning.nouns import Noun
 from grounding.world.scene import ROBOT, Scene
@@ -112,6 +112,6 @@ def _by(reader: Reader, noun: Noun) -> float:
 
 def _plainly(noun: Noun, scene: Scene) -> float:
     """How much the best line of so many looks like one: where colours tell things apart nobody counts bands."""
-    wanted = colored(scene, noun.colors) > 0.5 if noun.colors else np.ones(scene.n, dtype=bool)
+    wanted = colour.truth(scene, noun.colors) > 0.5 if noun.colors else np.ones(scene.n, dtype=bool)
     found = sets.arranged(scene, noun.kinds, wanted, noun.number)
     return max((weight for mask, weight in found if noun.number in (None, int(mask.sum()))), default=0.0)

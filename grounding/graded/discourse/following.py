@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from grounding.graded.discourse.clauses import clauses_of
 from grounding.graded.discourse.sentences import read_sentence
 from grounding.graded.discourse.told import Told, add, is_informative, name, take
-from grounding.graded.discourse.verbs import HANDLING, SETTING_OFF
 from grounding.graded.reader import Reader
 from grounding.language.tree import Phrase
+from grounding.meaning.discourse.clauses import clauses_of
+from grounding.meaning.discourse.verbs import HANDLING, SETTING_OFF
 from grounding.meaning.nouns import read_noun
 
 

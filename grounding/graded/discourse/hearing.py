@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
-from grounding.graded.discourse.parts import Parts, is_existential, parts_of
 from grounding.graded.discourse.told import Told, mention, one_of
-from grounding.graded.discourse.verbs import LOOKING, kind_of
 from grounding.graded.reader import Reader
 from grounding.language.tree import Phrase
+from grounding.meaning.discourse.parts import Parts, is_existential, parts_of
+from grounding.meaning.discourse.verbs import LOOKING, kind_of
 from grounding.meaning.nouns import Noun, read_noun
 
 

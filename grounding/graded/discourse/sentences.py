@@ -7,11 +7,13 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from grounding.graded.discourse.giving import gained, given
 from grounding.graded.discourse.hearing import Sentence, hear
-from grounding.graded.discourse.sharing import shared_out
 from grounding.graded.discourse.told import Told, add, deny, is_informative, mention, state, take, with_further
-from grounding.graded.discourse.verbs import (
+from grounding.graded.reader import Reader
+from grounding.language.tree import Phrase, Word
+from grounding.meaning.discourse.giving import gained, given
+from grounding.meaning.discourse.sharing import shared_out
+from grounding.meaning.discourse.verbs import (
     BEING,
     FORMING,
     GAINING,
@@ -22,8 +24,6 @@ from grounding.graded.discourse.verbs import (
     ORDERING,
     is_verbal,
 )
-from grounding.graded.reader import Reader
-from grounding.language.tree import Phrase, Word
 from grounding.meaning.goal.lengths import peeled
 from grounding.meaning.nouns import Noun, read_noun
 

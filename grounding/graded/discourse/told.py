@@ -7,11 +7,12 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from grounding.graded import scores
-from grounding.graded.discourse.verbs import LOOKING
 from grounding.graded.reader import Reader
 from grounding.graded.values import Membership, Rank, Restriction
 from grounding.language.tree import Phrase
+from grounding.lexicon import degrees
+from grounding.meaning.discourse.told import is_informative, with_further
+from grounding.meaning.discourse.verbs import LOOKING
 from grounding.meaning.nouns import Noun, read_noun
 from grounding.world import Array
 
@@ -47,17 +48,6 @@ class Told:
     doubt: int = 0
     continued: bool = False
     whole: Phrase | None = None
-
-
-def is_informative(noun: Noun) -> bool:
-    """Whether a noun says more than that it is a thing."""
-    return bool(noun.colors or noun.modifiers or noun.directions or noun.ordinals or noun.distance or noun.middle
-                or noun.lone or noun.number or noun.size)  # fmt: skip
-
-
-def with_further(noun: Noun, *modifiers: Phrase) -> Noun:
-    """A noun with further modifiers."""
-    return replace(noun, modifiers=(*noun.modifiers, *modifiers))
 
 
 def one_of(noun: Noun, told: Told) -> Noun:
@@ -96,11 +86,11 @@ def take(noun: Noun, reader: Reader, told: Told, context: Array | None = None) -
         value = replace(value, sets=several)
     weights = value.weights
     if told.mentioned is not None and told.plural and noun.head == "block" and context is None:
-        inside = told.mentioned > 0.3 * scores.peak(told.mentioned)
+        inside = told.mentioned > 0.3 * degrees.peak(told.mentioned)
         fainter = 1.0 if _excludes(noun) else _OUTSIDE
         weights = np.maximum(weights * np.where(inside, 1.0, fainter), reader.within(noun, told.mentioned))
     if told.target is not None:
-        weights = weights * _agreed(told.target / scores.peak(told.target))
+        weights = weights * _agreed(told.target / degrees.peak(told.target))
     told.target = weights
     told.sets = value.sets if value.kind == "sets" else ()
 
@@ -171,7 +161,7 @@ def state(subject: Noun, nouns: Sequence[Noun], rest: Iterable[Phrase], reader: 
     take(noun, reader, told)
     told.mentioned = mentioned
     if previous is not None and told.target is not None:
-        told.target = told.target * (_STATED + (1 - _STATED) * previous / scores.peak(previous))
+        told.target = told.target * (_STATED + (1 - _STATED) * previous / degrees.peak(previous))
     elif told.target is None:
         told.target = previous
 
@@ -184,7 +174,7 @@ def add(piece: Phrase, reader: Reader, told: Told) -> None:
     if told.target is None:
         _begin(piece, reader, told)
         return
-    for effect in reader.effects(piece, told.target / scores.peak(told.target)):
+    for effect in reader.effects(piece, told.target / degrees.peak(told.target)):
         if isinstance(effect, Restriction):
             told.target = told.target * _agreed(effect.weights)
         elif isinstance(effect, Membership):

@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from grounding.graded import scores
 from grounding.graded.modifiers.enclosing import between
 from grounding.graded.modifiers.heard import Heard
 from grounding.graded.people import before, distance_from
@@ -18,6 +17,7 @@ from grounding.graded.place_phrases import noun_of_whole
 from grounding.graded.places import located, off_middle
 from grounding.graded.relations import along, distance_to, measured, near, vertical
 from grounding.graded.values import Effect, Membership, Rank, Restriction, Value
+from grounding.lexicon import degrees
 from grounding.lexicon import words as w
 from grounding.meaning.nouns import Noun
 from grounding.world.scene import ROBOT
@@ -49,7 +49,7 @@ def _outside(reader: Reader, heard: Heard, noun: Noun, value: Value) -> list[Eff
     if "outside" not in heard.texts or value.kind not in _THINGS or not value.weights.any():
         return None
     if value.kind == "objects":
-        return [Restriction(1.0 - value.weights / scores.peak(value.weights))]
+        return [Restriction(1.0 - value.weights / degrees.peak(value.weights))]
     chances = [chance for _, chance in value.sets]
     held = [_held(reader, mask, value.kinds) for mask, _ in value.sets]
     return [Restriction(1.0 - np.average(held, axis=0, weights=chances))] if held else None
@@ -68,7 +68,7 @@ def _apart(reader: Reader, heard: Heard, noun: Noun, value: Value) -> list[Effec
     if not w.is_apart(heard.texts) or value.kind not in _THINGS or not value.weights.any():
         return None
     scene = reader.scene
-    inside = value.weights / scores.peak(value.weights) if value.kind == "sets" else np.zeros(scene.n)
+    inside = value.weights / degrees.peak(value.weights) if value.kind == "sets" else np.zeros(scene.n)
     apart = 1.0 - np.maximum(near(scene, value, 1.0), inside)  # nothing is apart from what it belongs to
     return [Restriction(apart), Rank(np.where(inside > 0.5, 0.0, distance_to(scene, value)), None, scene.edge)]
 

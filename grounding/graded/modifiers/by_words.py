@@ -9,7 +9,6 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from grounding.graded import scores
-from grounding.graded.colors import colored
 from grounding.graded.modifiers import enclosing
 from grounding.graded.modifiers.having import having
 from grounding.graded.modifiers.heard import Heard
@@ -18,9 +17,10 @@ from grounding.graded.people import before, distance_from
 from grounding.graded.place_phrases import whole_of
 from grounding.graded.places import closeness, in_place, located, make_place
 from grounding.graded.relations import along, measured
-from grounding.graded.surroundings import gaps_to_others
 from grounding.graded.values import Effect, Place, Rank, Restriction, Value
+from grounding.lexicon import colour
 from grounding.lexicon import words as w
+from grounding.lexicon.alone import gaps_to_others
 from grounding.meaning.nouns import Noun
 from grounding.world.scene import ROBOT
 
@@ -34,7 +34,7 @@ def by_itself(reader: Reader, heard: Heard) -> list[Effect]:
     """A modifier without a noun phrase: "farthest away", "above", "third"."""
     scene, said = reader.scene, heard.said
     if said.colors:  # "that is red"
-        return [Restriction(colored(scene, said.colors))]
+        return [Restriction(colour.truth(scene, said.colors))]
     if said.distance and any(w.is_ranking(text) for text in heard.texts):
         sign = 1.0 if said.distance == "near" else -1.0
         return [Rank(-sign * distance_from(scene, said.agent or ROBOT), heard.ordinal, 0.3 * scene.edge)]
@@ -126,7 +126,7 @@ def _of_others(reader: Reader, heard: Heard, noun: Noun) -> list[Effect] | None:
     if not (noun.other and noun.plural and noun.head == "block") or not heard.base.any():
         return None
     scene = reader.scene
-    others = colored(scene, noun.colors) if noun.colors else heard.base
+    others = colour.truth(scene, noun.colors) if noun.colors else heard.base
     gaps = gaps_to_others(scene, others > 0.5)
     if w.is_apart(heard.texts):
         return [Restriction(1.0 - scores.beside(gaps, scene.edge, 1.0)), Rank(gaps, None, scene.edge)]

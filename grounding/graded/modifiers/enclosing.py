@@ -7,9 +7,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from grounding.graded import scores
-from grounding.graded.colors import colored
 from grounding.graded.enclosure import Part, amid
+from grounding.lexicon import colour, degrees
 from grounding.meaning.nouns import Noun, read_noun
 from grounding.world import Array
 
@@ -35,8 +34,8 @@ def _parts(reader: Reader, noun: Noun) -> list[Part]:
     if noun.conjoined:
         return [part for phrase in noun.conjoined for part in _parts(reader, read_noun(phrase))]
     if len(noun.counted) > 1:
-        return [Part(colored(reader.scene, (color,)), number) for number, color in noun.counted]
+        return [Part(colour.truth(reader.scene, (color,)), number) for number, color in noun.counted]
     selected = noun.ordinals or noun.distance or noun.directions or noun.head != "block"
     value = reader.noun(noun if selected else replace(noun, plural=False, number=None, universal=False))
     several = noun.plural or noun.head != "block"
-    return [Part(value.weights / scores.peak(value.weights), noun.number or (None if several else 1))]
+    return [Part(value.weights / degrees.peak(value.weights), noun.number or (None if several else 1))]

@@ -7,8 +7,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from grounding.graded import scores
-from grounding.graded.colors import colored
 from grounding.graded.modifiers.adjoining import steps_from
 from grounding.graded.modifiers.having import having, possessions
 from grounding.graded.modifiers.nouns import with_modifiers
@@ -19,6 +17,7 @@ from grounding.graded.selectors import adjectives
 from grounding.graded.values import SETS, Effect, Membership, Rank, Restriction
 from grounding.language.lexicon import meanings
 from grounding.language.tree import Phrase
+from grounding.lexicon import colour, degrees
 from grounding.lexicon import words as w
 from grounding.meaning.nouns import Noun, read_noun
 from grounding.symbols import Ordinal
@@ -132,27 +131,27 @@ def _predicate(reader: Reader, phrase: Phrase, base: Array) -> list[Effect]:
         own = replace(noun, head="block", plural=False)
         if not (own.middle or own.lone or own.other):
             return _said_of(reader, own, base)
-        value = reader.chosen(own, base * colored(reader.scene, own.colors))
+        value = reader.chosen(own, base * colour.truth(reader.scene, own.colors))
     else:
         value = reader.noun(noun)
     if value.kind == "objects" and value.weights.any():
-        return [Restriction(value.weights / scores.peak(value.weights))]
+        return [Restriction(value.weights / degrees.peak(value.weights))]
     return []
 
 
 def _said_of(reader: Reader, noun: Noun, base: Array) -> list[Effect]:
     """What a predicate adds: its restrictions, and its ranks, which select among what all others leave."""
-    own = base * colored(reader.scene, noun.colors)
+    own = base * colour.truth(reader.scene, noun.colors)
     bare, effects = with_modifiers(reader, noun, own)
     ranks = [effect for effect in effects if isinstance(effect, Rank)]
     ranks += adjectives(reader.scene, reader.view, bare, own)
     ordinals = list(bare.ordinals)
     if len(ordinals) > sum(rank.ordinal is None for rank in ranks):
         weights = reader.chosen(noun, own).weights
-        return [Restriction(weights / scores.peak(weights))]
+        return [Restriction(weights / degrees.peak(weights))]
     found: list[Effect] = [effect for effect in effects if not isinstance(effect, Rank)]
     if noun.colors:
-        found.append(Restriction(colored(reader.scene, noun.colors)))
+        found.append(Restriction(colour.truth(reader.scene, noun.colors)))
     for rank in ranks:
         found.append(replace(rank, ordinal=ordinals.pop(0)) if rank.ordinal is None and ordinals else rank)
     return found

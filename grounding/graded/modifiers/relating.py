@@ -5,13 +5,13 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from grounding.graded.colors import colored
 from grounding.graded.modifiers.by_reference import BY_REFERENCE
 from grounding.graded.modifiers.by_words import BY_WORDS, by_itself
 from grounding.graded.modifiers.heard import Heard, hear
 from grounding.graded.surroundings import lone
 from grounding.graded.values import Effect, Restriction, Value
 from grounding.language.tree import Phrase
+from grounding.lexicon import colour
 from grounding.lexicon import words as w
 from grounding.meaning.nouns import Noun
 from grounding.world import Array
@@ -60,7 +60,7 @@ def _is_elliptic(heard: Heard) -> bool:
 
 def _among_the_same(reader: Reader, heard: Heard, noun: Noun) -> Value:
     """What several mean that are of the kind of what is modified: "the red block ... of the three" red blocks."""
-    return reader.chosen(noun, colored(reader.scene, noun.colors) * heard.base)
+    return reader.chosen(noun, colour.truth(reader.scene, noun.colors) * heard.base)
 
 
 def _is_middle_line(heard: Heard, noun: Noun) -> bool:

@@ -2,14 +2,26 @@
 
 from __future__ import annotations
 
+from typing import Protocol
+
 from grounding.language.tree import Phrase
-from grounding.meaning.discourse.told import Told, is_informative, with_further
+from grounding.meaning.discourse.told import is_informative, with_further
 from grounding.meaning.nouns import Noun
 
 _LEADING = frozenset("to onto into toward towards over so until up down".split())
 
 
-def shared_out(noun: Noun, rest: list[Phrase], told: Told) -> tuple[Noun, list[Phrase]]:
+class ToldBefore(Protocol):
+    """What matters here of what was told before."""
+
+    continued: bool
+
+    @property
+    def mentioned(self) -> object | None:
+        """What was spoken of last."""
+
+
+def shared_out(noun: Noun, rest: list[Phrase], told: ToldBefore) -> tuple[Noun, list[Phrase]]:
     """The adjuncts of a command that say which object is meant go to its noun; the others say where to."""
     if len(rest) > 1 and rest[0].tag == "PP" and noun.head == "block" and not is_informative(noun):
         noun = with_further(noun, rest.pop(0))

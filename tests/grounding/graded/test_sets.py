@@ -11,6 +11,7 @@ import models
 from grounding import World, load_world, make_object
 from grounding.geometry.layout import Layout
 from grounding.graded import sets
+from grounding.lexicon import arrangement
 from grounding.world.scene import Scene
 
 places = st.lists(st.tuples(st.integers(0, 12), st.integers(-14, 14)), min_size=1, max_size=9, unique=True)
@@ -24,12 +25,12 @@ def scene_of(cells):
     )  # fmt: skip
 
 
-@given(places, st.sampled_from(["row", "column"]), st.sampled_from(sets.GAPS))
+@given(places, st.sampled_from(["row", "column"]), st.sampled_from(arrangement.GAPS))
 @settings(max_examples=60)
 def test_bands_part_all_in_order(cells, kind, gap):
     scene = scene_of(cells)
     wanted = np.ones(scene.n, dtype=bool)
-    parts = sets.partition(scene, wanted, kind, gap)
+    parts = arrangement.partition(scene, wanted, kind, gap)
     assert np.array(parts).sum(axis=0).tolist() == [1] * scene.n
     axis = 0 if kind == "row" else 1
     for before, after in pairwise(parts):
@@ -41,7 +42,7 @@ def test_bands_part_all_in_order(cells, kind, gap):
 def test_bands_leave_out_what_is_not_wanted(cells):
     scene = scene_of(cells)
     wanted = np.arange(scene.n) % 2 == 0
-    for part in sets.partition(scene, wanted, "row", 0.6):
+    for part in arrangement.partition(scene, wanted, "row", 0.6):
         assert not (part & ~wanted).any()
 
 

@@ -7,9 +7,9 @@ import pytest
 from grounding import World, make_object
 from grounding.geometry.layout import Layout
 from grounding.graded.belief import believe
-from grounding.graded.discourse.mending import as_sentence, mended
 from grounding.language.parser import Parser
 from grounding.language.tree import Phrase, Word
+from grounding.meaning.discourse.mending import as_sentence, mended
 from grounding.world.scene import Scene
 
 TABLE = make_object("table", "table", "white", (0.65, 0, 0.691), size=(0.7, 1.8, 0.04))
