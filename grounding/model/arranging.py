@@ -13,8 +13,9 @@ from grounding.meaning.referents import Condition, Referent
 from grounding.model.cases import Case
 from grounding.model.choosing import Order, Pool, Ranked, orders_of
 from grounding.model.features import add_held, add_rank
-from grounding.model.restricting import SETS as TRIED
-from grounding.model.restricting import Evaluates, Held, restricted
+from grounding.model.holding import SETS as TRIED
+from grounding.model.holding import Evaluates, Held
+from grounding.model.restricting import restricted
 from grounding.model.things import set_case
 from grounding.world import Array
 from grounding.world.scene import ROBOT, Scene

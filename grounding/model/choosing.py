@@ -12,7 +12,8 @@ from grounding.lexicon.degrees import peak
 from grounding.lexicon.parameters import value
 from grounding.lexicon.person import distance_from
 from grounding.meaning.referents import Condition, Referent
-from grounding.model.restricting import Evaluates, distance_to, lane
+from grounding.model.holding import Evaluates
+from grounding.model.relating import distance_to, lane
 from grounding.world import Array
 from grounding.world.scene import ROBOT, Scene
 

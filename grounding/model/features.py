@@ -8,7 +8,7 @@ from grounding.lexicon.parameters import value
 from grounding.meaning.referents import Condition
 from grounding.model.cases import Case
 from grounding.model.choosing import Ranked
-from grounding.model.restricting import Held
+from grounding.model.holding import Held
 from grounding.world import Array
 
 BINS = (0.15, 0.5)

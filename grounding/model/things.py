@@ -14,8 +14,10 @@ from grounding.meaning.referents import SETS, Condition, Referent
 from grounding.model.cases import Case, Denotation, Weights
 from grounding.model.choosing import Order, Pool, choose, counts_from, first_of, orders_of
 from grounding.model.features import add_held, add_rank, logarithm
-from grounding.model.restricting import SETS as TRIED
-from grounding.model.restricting import Evaluates, Held, lane, restricted
+from grounding.model.holding import SETS as TRIED
+from grounding.model.holding import Evaluates, Held
+from grounding.model.relating import lane
+from grounding.model.restricting import restricted
 from grounding.world import Array
 
 _MOST_CASES = 12
