@@ -14,7 +14,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from grounding.factors.model import Factor
+from grounding.factors.factor import Factor
 from grounding.world import Array
 
 

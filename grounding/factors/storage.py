@@ -18,8 +18,9 @@ from typing import Any
 import numpy as np
 
 from grounding.errors import ModelError
+from grounding.factors.factor import Factor
 from grounding.factors.first_pass import FirstPass
-from grounding.factors.model import Factor, FactorModel
+from grounding.factors.model import FactorModel
 
 VERSION = 2
 _FIRST_PASS = "first_pass"

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from grounding.factors.model import Factor
+from grounding.factors.factor import Factor
 from grounding.world import Array
 
 if TYPE_CHECKING:

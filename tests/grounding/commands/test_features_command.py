@@ -9,8 +9,7 @@ import pytest
 import models
 from grounding.__main__ import main
 from grounding.commands.features import PAPER, markdown_tables
-from grounding.factors import load_model, save_model
-from grounding.factors.model import Factor, FactorModel
+from grounding.factors import Factor, FactorModel, load_model, save_model
 
 PAGE = Path(__file__).parents[3] / "docs" / "features.md"
 
