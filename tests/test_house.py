@@ -20,6 +20,9 @@ MAY_IMPORT = {
 CHECKED = ("motion", "integration")
 """Packages whose files form no circles and keep to the sizes below. Grounding has circles and is being rebuilt; when
 it is done, it joins them."""
+ROOMS = ("factors", "lexicon", "meaning", "model", "placing", "world")
+WITHOUT_CIRCLES = (*CHECKED, *(f"grounding/{room}" for room in ROOMS))
+"""Packages, and rooms of grounding, whose files form no circles."""
 MODULES_A_FOLDER = 16
 LINES_A_MODULE = 350
 LINES_A_FUNCTION = 60
@@ -108,7 +111,7 @@ def test_circles_are_found():
     assert circles({"a": ["b"], "b": ["c"], "c": ["a"], "d": ["c", "e"], "e": ["d"]}) == [["a", "b", "c"], ["d", "e"]]
 
 
-@pytest.mark.parametrize("package", CHECKED)
+@pytest.mark.parametrize("package", WITHOUT_CIRCLES)
 def test_no_files_import_one_another_in_a_circle(package):
     known = modules(package)
     assert circles({name: neighbours(name, known) for name in known}) == []
