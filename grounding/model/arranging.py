@@ -29,7 +29,7 @@ def arrangement_cases(evaluator: Evaluates, referent: Referent) -> list[Case]:
     words = tuple(word for c in conditions if c.concept == "colour" and not c.negated for word in c.words)
     stuff = colour.truth(scene, words) > 0.5
     number = None if referent.plural else referent.number
-    found = arrangement.candidates(scene, referent.kinds, stuff, number)
+    found = evaluator.arrangements(referent.kinds, stuff, number)
     lines = _counted_lines(scene, referent, stuff) if referent.number is None else []
     cases = []
     if referent.plural:

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from grounding.lexicon import colour, place
+from grounding.lexicon import arrangement, colour, place
 from grounding.lexicon.where import Where
 from grounding.meaning.referents import OBJECTS, PERSON, PLACE, SETS, Condition, Referent, Region
 from grounding.model.arranging import arrangement_cases, conjoined_cases
@@ -39,11 +39,21 @@ class Evaluator:
         self.weights = weights
         self.where = Where.objects(scene)
         self._kept: dict[tuple[int, bytes, bool], tuple[Referent, Denotation]] = {}
+        self._arranged: dict[tuple[tuple[str, ...], bytes, int | None], tuple[arrangement.Candidate, ...]] = {}
 
     def spot(self, region: Region) -> place.Spot:
         """A place as whoever is meant sees it."""
         return place.make_spot(self.scene, region.names, region.owner or self.view, middle=region.middle,
                                corner=region.corner, rim=region.rim, table=region.table)  # fmt: skip
+
+    def arrangements(
+        self, kinds: tuple[str, ...], stuff: np.ndarray, number: int | None
+    ) -> tuple[arrangement.Candidate, ...]:
+        """The arrangements of some kinds among objects, found once; see `arrangement.candidates`."""
+        key = (kinds, stuff.tobytes(), number)
+        if key not in self._arranged:
+            self._arranged[key] = tuple(arrangement.candidates(self.scene, kinds, stuff, number))
+        return self._arranged[key]
 
     def denote(self, referent: Referent, base: Array | None = None, *, carrying: bool = False) -> Denotation:
         """What a referent means.

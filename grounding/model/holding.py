@@ -7,7 +7,7 @@ from typing import NamedTuple, Protocol
 
 import numpy as np
 
-from grounding.lexicon import place
+from grounding.lexicon import arrangement, place
 from grounding.lexicon.where import Where
 from grounding.meaning.referents import Condition, Referent, Region
 from grounding.model.cases import Denotation, Weights
@@ -44,6 +44,11 @@ class Evaluates(Protocol):
 
     def spot(self, region: Region) -> place.Spot:
         """A place as whoever is meant sees it."""
+
+    def arrangements(
+        self, kinds: tuple[str, ...], stuff: np.ndarray, number: int | None
+    ) -> tuple[arrangement.Candidate, ...]:
+        """The arrangements of some kinds among objects."""
 
 
 Restricting = Callable[[Evaluates, Condition, Array], Held]
