@@ -4,9 +4,9 @@
 
 Every definition in `benchmarks/concepts.py` is asked in N composed worlds and in the scenes that ship. Of all that one
 of two definitions holds of (ordered pairs of things, things between two others, single things, sets of them), the share
-that both hold of is their agreement. What either leaves open is not compared. Graded definitions hold of what they give
-more than T, one half by default. In the JSON, "held" counts what each definition holds of, and "open" is the share of
-references that it leaves open.
+that both hold of is their agreement. What either leaves open is not compared. Concepts of the lexicon hold where they
+are truer than T, one half by default. In the JSON, "held" counts what each definition holds of, and "open" is the share
+of references that it leaves open.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ from grounding.world import load_world
 
 
 def worlds_of(count: int, seed: int, threshold: float = HOLDS) -> Iterator[Seen]:
-    """So many composed worlds, then the scenes that ship; graded definitions hold above the threshold."""
+    """So many composed worlds, then the scenes that ship; the lexicon's concepts hold above the threshold."""
     for number in range(count):
         yield Seen(compose_world(np.random.default_rng([seed, number]), f"w{number}"), threshold)
     for path in sorted(models.SCENES.glob("*.json")):
@@ -72,7 +72,7 @@ def main() -> None:
     parser.add_argument("--worlds", type=int, default=100, metavar="N", help="composed worlds, beside the scenes")
     parser.add_argument("--seed", type=int, default=0)
     parser.add_argument("--threshold", type=float, default=HOLDS, metavar="T",
-                        help="graded definitions hold of what they give more")  # fmt: skip
+                        help="the lexicon's concepts hold of what is truer")  # fmt: skip
     parser.add_argument("--concepts", nargs="+", choices=list(CONCEPTS), metavar="NAME", default=list(CONCEPTS),
                         help="only these: " + ", ".join(CONCEPTS))  # fmt: skip
     args = parser.parse_args()

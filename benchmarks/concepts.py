@@ -24,15 +24,10 @@ from grounding.corpus.selector import Selector
 from grounding.corpus.treebank import LaidWorld
 from grounding.geometry.layout import Layout
 from grounding.geometry.masks import indices_of, mask_of
-from grounding.graded import sets
-from grounding.graded.enclosure import between_two
-from grounding.graded.modifiers.by_reference import BESIDE, TOUCHING
-from grounding.graded.places import in_place, make_place
-from grounding.graded.relations import directed, near
-from grounding.graded.selectors import choose
-from grounding.graded.surroundings import lone
-from grounding.graded.values import Value
 from grounding.language.tree import from_brackets
+from grounding.lexicon import alone, arrangement, between, direction, nearness, place, rank
+from grounding.lexicon.person import distance_from
+from grounding.lexicon.where import Where
 from grounding.literal import choosing
 from grounding.literal.reader import LiteralReader
 from grounding.literal.relations import region_of
@@ -42,11 +37,11 @@ from grounding.symbols import Region
 from grounding.world import Array
 from grounding.world.scene import ROBOT, Scene
 
-HOLDS = 0.5  # a graded definition holds of what it gives more, if no other threshold is asked for
+HOLDS = 0.5  # a concept of the lexicon holds of what is truer, if no other threshold is asked for
 OPEN = (Unread, NotAnnotatable)  # raised by a definition that leaves open what it holds of
-PARTS = ("gamma", "graded", "literal", "annotator")
+PARTS = ("gamma", "lexicon", "literal", "annotator")
 """The parts of the program that define concepts: the regions and shapes of Γ, which the factors' features use; the
-graded readings; the literal ones; the annotation of generated texts."""
+lexicon, by which is answered; the literal readings; the annotation of generated texts."""
 
 _PHRASE = from_brackets("(NP (NN block))")[0]  # for messages only
 _SIDES = ("left", "right", "front", "back")
@@ -61,7 +56,7 @@ class Seen:
 
     Args:
         laid: the world.
-        threshold: a graded definition holds of what it gives more.
+        threshold: the lexicon's concepts hold of what is truer.
     """
 
     def __init__(self, laid: LaidWorld, threshold: float = HOLDS) -> None:
@@ -71,6 +66,11 @@ class Seen:
         self.scene = Scene(laid.layout)
         self.everything = laid.layout.everything
         self.all: Array = np.ones(laid.layout.size)
+
+    @cached_property
+    def where(self) -> Where:
+        """The things as places of which concepts hold."""
+        return Where.objects(self.scene)
 
     @cached_property
     def literal(self) -> LiteralReader:
@@ -159,21 +159,25 @@ def _annotated(relation: str, seen: Seen, reference: int | tuple[int, int]) -> H
     return _bits(Narrowing(seen.selector, seen.laid.arrangements).within(found) & ~mask)
 
 
-def _beside(reach: float, seen: Seen, reference: int) -> Held:
-    return _above(seen, near(seen.scene, Value("objects", seen.only(reference)), reach))
+def _near(reach: str, seen: Seen, reference: int) -> Held:
+    return _above(seen, nearness.truth(seen.where.gaps, seen.scene.edge, reach)[:, reference]) - {reference}
 
 
-def _directed(name: str, seen: Seen, reference: int) -> Held:
-    return _above(seen, directed(seen.scene, Value("objects", seen.only(reference)), (name,), ROBOT, False))
+def _toward(name: str, seen: Seen, reference: int) -> Held:
+    vector = direction.unit(seen.scene, (name,), ROBOT)
+    assert vector is not None
+    held = direction.truth(seen.where, seen.scene.xy, seen.scene.edge, vector, strict=False)[:, reference]
+    return _above(seen, held) - {reference}
 
 
 def _between(seen: Seen, reference: tuple[int, int]) -> Held:
-    return _above(seen, between_two(seen.scene, *(seen.only(i) for i in reference)))
+    parts = [between.Part(seen.only(i), 1) for i in reference]
+    return _above(seen, between.amid(seen.where, seen.scene, parts, surrounding=False)) - set(reference)
 
 
-def _relation(name: str, graded: Definition, gamma: str | None = None) -> Concept:
+def _relation(name: str, lexicon: Definition, gamma: str | None = None) -> Concept:
     return Concept(_pairs if name == "between" else _things, {
-        "gamma": partial(_region, gamma or name), "graded": graded,
+        "gamma": partial(_region, gamma or name), "lexicon": lexicon,
         "literal": partial(_read, name), "annotator": partial(_annotated, name),
     })  # fmt: skip
 
@@ -185,15 +189,16 @@ def _noun(noun: Noun, seen: Seen, reference: object) -> Held:
     return _bits(seen.literal.meant(noun).chosen)
 
 
-def _chosen(noun: Noun, seen: Seen, reference: object) -> Held:
-    return _above(seen, choose(seen.scene, ROBOT, noun, seen.all, [], (), chosen=False, in_stack=False))
+def _first(sign: float, seen: Seen, reference: object) -> Held:
+    key = -sign * distance_from(seen.scene, ROBOT)
+    return _above(seen, rank.truth(seen.all, key, 1, rank.blur(seen.scene)))
 
 
 def _extreme(name: str) -> Concept:
     noun = Noun(head="block", distance=name, text=f"the {name}est block")
     return Concept(_once, {
         "gamma": lambda seen, _: _bits(seen.layout.nth(seen.everything, name, 1)),
-        "graded": partial(_chosen, noun), "literal": partial(_noun, noun),
+        "lexicon": partial(_first, 1.0 if name == "near" else -1.0), "literal": partial(_noun, noun),
         "annotator": lambda seen, _: _bits(seen.selector.rank(_PHRASE, seen.everything, name, 1, "")),
     })  # fmt: skip
 
@@ -206,16 +211,16 @@ def _corner_noun(seen: Seen, names: tuple[str, str]) -> Held:
 
 
 def _placed(corner: bool, seen: Seen, names: str | tuple[str, ...]) -> Held:
-    place = make_place(seen.scene, (names,) if isinstance(names, str) else names, ROBOT, corner=corner)
-    return _above(seen, in_place(seen.scene, place, seen.all))
+    spot = place.make_spot(seen.scene, (names,) if isinstance(names, str) else names, ROBOT, corner=corner)
+    return _above(seen, place.truth(seen.scene, spot))
 
 
 # -- arrangements -----------------------------------------------------------------------------------------------------
 
 
 def _arranged(kind: str, seen: Seen, reference: object) -> Held:
-    found = sets.arranged(seen.scene, (kind,), seen.all > 0, None)
-    return frozenset(mask_of(np.flatnonzero(mask)) for mask, weight in found if weight > seen.threshold)
+    found = arrangement.candidates(seen.scene, (kind,), seen.all > 0)
+    return frozenset(mask_of(np.flatnonzero(c.mask)) for c in found if c.looks > seen.threshold)
 
 
 def _read_arrangement(kind: str, seen: Seen, reference: object) -> Held:
@@ -229,7 +234,7 @@ def _read_arrangement(kind: str, seen: Seen, reference: object) -> Held:
 def _arrangement(kind: str) -> Concept:
     return Concept(_once, {
         "gamma": lambda seen, _: frozenset(a.mask for a in seen.layout.evident_of((kind,), seen.everything)),
-        "graded": partial(_arranged, kind), "literal": partial(_read_arrangement, kind),
+        "lexicon": partial(_arranged, kind), "literal": partial(_read_arrangement, kind),
         "annotator": lambda seen, _: frozenset(
             mask for _, mask in BasePhrases(seen.selector, seen.laid.arrangements).of_kinds((kind,), seen.everything)
         ),
@@ -237,12 +242,12 @@ def _arrangement(kind: str) -> Concept:
 
 
 CONCEPTS: Mapping[str, Concept] = {
-    "next to": _relation("near", partial(_beside, BESIDE)),
-    "touching": _relation("touching", partial(_beside, TOUCHING), gamma="near"),  # Γ has no contact, it is near there
-    "left of": _relation("left", partial(_directed, "left")),
-    "right of": _relation("right", partial(_directed, "right")),
-    "in front of": _relation("front", partial(_directed, "front")),
-    "behind": _relation("back", partial(_directed, "back")),
+    "next to": _relation("near", partial(_near, nearness.BESIDE)),
+    "touching": _relation("touching", partial(_near, nearness.TOUCHING), gamma="near"),  # Γ has no contact, but near
+    "left of": _relation("left", partial(_toward, "left")),
+    "right of": _relation("right", partial(_toward, "right")),
+    "in front of": _relation("front", partial(_toward, "front")),
+    "behind": _relation("back", partial(_toward, "back")),
     "between": _relation("between", _between),
     "nearest": _extreme("near"),
     "farthest": _extreme("far"),
@@ -252,25 +257,26 @@ CONCEPTS: Mapping[str, Concept] = {
     "circle": _arrangement("circle"),
     "tower": _arrangement("tower"),
     "alone": Concept(_once, {
-        "graded": lambda seen, _: _above(seen, lone(seen.scene, seen.all)),
+        "lexicon": lambda seen, _: _above(seen, alone.truth(seen.scene, seen.all, counted=False)),
         "literal": lambda seen, _: _bits(choosing.alone(seen.scene, seen.everything)),
         "annotator": lambda seen, _: _bits(seen.selector.alone(_PHRASE, seen.everything)),
     }),
     "middle": Concept(_once, {
         "gamma": lambda seen, _: _bits(seen.layout.central(seen.everything)),
-        "graded": partial(_chosen, _MIDDLE), "literal": partial(_noun, _MIDDLE),
+        "lexicon": lambda seen, _: _above(seen, rank.middle(seen.scene, seen.all, chosen=False)),
+        "literal": partial(_noun, _MIDDLE),
         "annotator": lambda seen, _: _bits(seen.selector.rank(_PHRASE, seen.everything, "center", 1, "")),
     }),
     "corner": Concept(lambda seen: _CORNERS, {  # two spatial references in Γ
         "gamma": lambda seen, names: _bits((seen.layout.side(names[0]) or 0) & (seen.layout.side(names[1]) or 0)),
-        "graded": partial(_placed, True), "literal": _corner_noun,
+        "lexicon": partial(_placed, True), "literal": _corner_noun,
         "annotator": lambda seen, names: _bits(
             seen.selector.choose(_PHRASE, seen.everything, Meaning("one", corner=names))
         ),
     }),
     "side": Concept(lambda seen: _SIDES, {
         "gamma": lambda seen, name: _bits(seen.layout.side(name) or 0),
-        "graded": partial(_placed, False),
+        "lexicon": partial(_placed, False),
         "literal": lambda seen, name: _bits(choosing.half(seen.scene, seen.everything, name)),
         "annotator": lambda seen, name: _bits(seen.selector.half(_PHRASE, seen.everything, name, clear=True)),
     }),

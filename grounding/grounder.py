@@ -15,7 +15,6 @@ from grounding.errors import GroundingError, LanguageError
 from grounding.factors import load_model
 from grounding.forbidding import without_forbidden
 from grounding.geometry.layout import Layout
-from grounding.graded.belief import NO_BELIEF, GradedBelief, believe
 from grounding.inference import Adcg
 from grounding.language.lexicon import meanings
 from grounding.language.parser import Parse, Parser
@@ -40,7 +39,7 @@ from grounding.unanswered import open_options
 from grounding.world import World
 from grounding.world.scene import Scene
 
-READERS = ("meanings", "graded", "literal")
+READERS = ("meanings", "literal")
 """Who proposes what may be meant; each can be left out, see `Grounder`."""
 KEPT_SCENES = 16
 LONGEST = 200  # words that an instruction may have
@@ -66,29 +65,23 @@ class Heard:
     """A text as it was read, before it is weighed what is meant.
 
     Attributes:
-        graded: what its parses ask for by their graded readings.
-        literal: and what they ask for literally.
-        meanings: the readings whose candidates are weighed, with what the others hold of these.
+        literal: what its parses ask for literally.
+        meanings: the readings whose candidates are weighed, with what the literal one holds of these.
     """
 
-    graded: GradedBelief
     literal: LiteralBelief
     meanings: tuple[Meant, ...]
 
 
-def opinions_of(graded: GradedBelief, literal: LiteralBelief) -> tuple[Opinion, ...]:
-    """What graded and literal readings hold of what may be meant."""
-    shares: list[dict[tuple[str, ...], float]] = []
-    for options in (graded.options, literal.options):
-        found: dict[tuple[str, ...], float] = {}
-        for (_, names), share in options:
-            key = tuple(sorted(names))
-            found[key] = found.get(key, 0.0) + share
-        shares.append(found)
+def opinion_of(literal: LiteralBelief) -> Opinion:
+    """What a literal reading holds of what may be meant."""
+    shares: dict[tuple[str, ...], float] = {}
+    for (_, names), share in literal.options:
+        key = tuple(sorted(names))
+        shares[key] = shares.get(key, 0.0) + share
     sort = "plural" if literal.plural else "alike" if literal.alike else "vague" if literal.vague else "sharp"
     notes = (sort, "open") if literal.is_open else (sort,)
-    missing = 1.0 if literal.missing else 0.0
-    return Opinion("graded", shares[0]), Opinion("literal", shares[1], notes, missing)
+    return Opinion("literal", shares, notes, 1.0 if literal.missing else 0.0)
 
 
 @dataclass(frozen=True, eq=False)
@@ -99,16 +92,14 @@ class Understanding:
         text: the instruction.
         parses: of the text, the likeliest first.
         scene: the world, measured.
-        graded: what the parses ask for by their graded readings.
-        literal: and what they ask for literally.
+        literal: what the parses ask for literally.
         readings: by the factors, of the parses that agree best with the world; the likeliest first.
-        belief: what learned weights make of the meanings of the parses and of what the other readers hold of them.
+        belief: what learned weights make of the meanings of the parses and of what the literal one holds of them.
     """
 
     text: str
     parses: tuple[Parse, ...]
     scene: Scene
-    graded: GradedBelief
     literal: LiteralBelief
     readings: tuple[Reading, ...]
     belief: Belief
@@ -281,17 +272,16 @@ class Grounder:
         likely = [parses[place] for place in kept]
         memory: dict[object, list] = {}
         inferred = [(self.inference.infer(parse.tree, scene.layout, memory), parse.probability) for parse in likely]
-        return Understanding(text, parses, scene, heard.graded, heard.literal, readings(inferred, scene.layout), belief)
+        return Understanding(text, parses, scene, heard.literal, readings(inferred, scene.layout), belief)
 
     def hear(self, parses: Sequence[Parse], scene: Scene, history: Sequence[str] = ()) -> Heard:
         """Read parses in every way, before it is weighed what is meant; for learning the weights as well."""
-        graded = NO_BELIEF if "graded" in self.without else believe(parses, scene, history)
         meanings = read(parses, scene, history, self.learned.referring)
         literal = SILENT
         if "literal" not in self.without:
             literal = believe_literally(parses, scene, weigh(meanings, self.learned.referring), history)
         found = () if "meanings" in self.without else meanings
-        return Heard(graded, literal, with_opinions(found, opinions_of(graded, literal), Evaluator(scene), Told()))
+        return Heard(literal, with_opinions(found, (opinion_of(literal),), Evaluator(scene), Told()))
 
     def layout(self, world: World) -> Layout:
         """The world, measured; the latest ones are kept."""

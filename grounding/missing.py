@@ -7,10 +7,9 @@ from itertools import pairwise
 import numpy as np
 
 from grounding.geometry.layout import Layout
-from grounding.graded import sets
-from grounding.graded.reader import Reader
 from grounding.language.lexicon import meanings
 from grounding.language.tree import Phrase
+from grounding.lexicon import arrangement, colour
 from grounding.lexicon import words as w
 from grounding.literal.colors import without
 from grounding.meaning.nouns import Noun, read_noun
@@ -130,7 +129,7 @@ def _colors(tree: Phrase, layout: Layout) -> str | None:
 def _color(noun: Noun, layout: Layout) -> str | None:
     if noun.head not in _THINGS or not noun.colors:
         return None
-    if Reader(Scene(layout)).value_of(Noun(head="block", colors=noun.colors)).any():
+    if colour.truth(Scene(layout), noun.colors).any():
         return None
     return without(noun.colors, layout)
 
@@ -145,13 +144,13 @@ def _arrangement(noun: Noun, scene: Scene) -> str | None:
     colors = noun.colors or next((n.colors for m in noun.modifiers if (n := _content(m)) is not None), ())
     if colors:
         stuff = np.array([item.color in colors or item.color == "unknown" for item in scene.layout.things])
-    found = [mask for mask, weight in sets.arranged(scene, noun.kinds, stuff, None) if weight >= _LOOKS]
+    found = [c.mask for c in arrangement.candidates(scene, noun.kinds, stuff) if c.looks >= _LOOKS]
     kind = noun.kinds[0]
     heap = not _HEAPS.isdisjoint(noun.text.split())
     if kind == "tower" and not scene.towers and number is None and not heap:
         return "there is no tower here"
     if kind == "tower":  # seen from above blocks side by side are called stacks as well
-        found += [mask for mask, weight in sets.clusters(scene, stuff) if weight >= _LOOKS]
+        found += [c.mask for c in arrangement.clusters(scene, stuff) if c.looks >= _LOOKS]
     told = f"{' '.join(colors[:1])} {kind}".strip()
     counts = sorted(int(mask.sum()) for mask in found)
     if not counts:

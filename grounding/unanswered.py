@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from grounding.graded.reader import Reader
 from grounding.language.lexicon import meanings
 from grounding.language.tree import Phrase
+from grounding.lexicon import colour
 from grounding.lexicon import words as w
 from grounding.meaning.discourse.verbs import HANDLING
-from grounding.meaning.nouns import Noun, read_noun
+from grounding.meaning.nouns import read_noun
 from grounding.meaning.recall import is_surely_recalled
 from grounding.missing import targets, unknown_things, whats_missing
 from grounding.world.scene import Scene
@@ -91,9 +91,8 @@ def open_options(tree: Phrase, scene: Scene) -> tuple[tuple[str, tuple[str, ...]
     for target in targets(tree):
         noun = read_noun(target)
         if noun.head == "block" and not noun.strange:
-            bare = Noun(head="block", colors=noun.colors, definite=noun.definite)
-            weights = Reader(scene).value_of(bare)
-            return tuple((kind, (scene.layout.ids[i],)) for i in range(scene.n) if weights[i] > 0)
+            fits = colour.truth(scene, noun.colors)
+            return tuple((kind, (scene.layout.ids[i],)) for i in range(scene.n) if fits[i] > 0)
     return ()
 
 
@@ -123,7 +122,7 @@ def _strange_words(tree: Phrase) -> list[str]:
 
 
 def _known(text: str) -> bool:
-    """Whether a word means something to the graded readings, or is one that only joins others."""
+    """Whether a word means something to the lexicon, or is one that only joins others."""
     return bool(text in _AUXILIARIES or text in _HANDLED or w.directions(text) or w.distance(text) or w.place(text)
                 or w.containers(text) or w.is_block(text) or w.is_table(text) or w.is_measure(text) or w.agent(text)
                 or w.is_middle(text) or w.is_lone(text) or w.is_other(text) or w.is_touching(text)

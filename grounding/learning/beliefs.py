@@ -25,10 +25,10 @@ from grounding.readings import pick_of
 from grounding.symbols import Action
 from grounding.world.scene import Scene
 
-EQUAL = Learned(Weights({**EVEN, "nothing": -3.0, "spread": 1.0, "graded": 1.0, "literal": 1.0,
+EQUAL = Learned(Weights({**EVEN, "nothing": -3.0, "spread": 1.0, "literal": 1.0,
                                   "nothing.literal": 1.0}), EVEN)  # fmt: skip
 """Equal weights of all concepts, towards which the penalty pulls."""
-ALONE = ("graded", "literal")
+ALONE = ("literal",)
 """Readers that are left out while weights for what is spoken of on the way are learned."""
 PENALTY = 100.0
 HANDS = 20.0

@@ -38,7 +38,8 @@ def mean_arrangement(reader: LiteralReader, noun: Noun) -> Meant:
         Unread: it is beyond what is read literally.
         Missing: there is none.
     """
-    if says_unknown(noun) or noun.lone or noun.agent:
+    line = noun.middle and noun.text.endswith(" line")  # of the table, along which nothing need lie
+    if says_unknown(noun) or noun.lone or noun.agent or line:
         raise Unread(noun.text)
     number, colors, rest = noun.number, noun.colors, []
     for modifier in noun.modifiers:

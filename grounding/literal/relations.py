@@ -88,7 +88,8 @@ def _in_contact(reader: LiteralReader, meant: Meant, text: str) -> int:
 
 def _between(reader: LiteralReader, meant: Meant, text: str) -> int:
     layout = reader.layout
-    if not meant.plural or (not meant.parts and meant.number not in (2, None)):
+    counted = any(part.plural and part.kind == "group" for part in meant.parts)  # "two red ones and a blue one"
+    if not meant.plural or counted or (not meant.parts and meant.number not in (2, None)):
         raise Unread(text)
     if meant.parts and not meant.chosen:
         pools = [list(indices_of(part.chosen or part.pool)) for part in meant.parts]

@@ -5,20 +5,18 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
-import numpy as np
-
-from grounding.graded.discourse import read_text
+from grounding.geometry.masks import indices_of, single
 from grounding.language.tree import Phrase
+from grounding.literal.following import Follower
 from grounding.literal.modifiers import RELATIONS
 from grounding.literal.presupposed import forms
 from grounding.literal.reader import LiteralReader
 from grounding.literal.values import FIRM, Meant, Missing, Unread
 from grounding.literal.wider import held, is_missing
+from grounding.meaning.discourse.following import read_text
 from grounding.meaning.nouns import Noun, read_noun
-from grounding.world import Array
 from grounding.world.scene import Scene
 
-HOLDS = 0.5
 _BACK = frozenset("it its itself them their".split())
 _ON = frozenset("on onto atop top".split())
 _POINTING = frozenset("the that this".split())
@@ -69,29 +67,31 @@ def read_literally(tree: Phrase, scene: Scene, history: Sequence[int] = ()) -> L
         history: indices of the objects handled before, the latest last.
     """
     reader = LiteralReader(scene, tuple(history))
+    follower = Follower(reader)
     try:
-        told = read_text(tree, reader)  # type: ignore[arg-type]
+        told = read_text(tree, follower)
         if told.target is None or told.doubt:
             return None
         vague = reader.vague
-        rival = None if forms(tree) else _check(told.destination, told.target, reader)
+        target, together = follower.members(told.target), follower.sets(told.target)
+        rival = None if forms(tree) else _check(told.destination, target, reader)
     except Missing as missing:
         return Literal(missing=missing)
     except Unread:
         return None
     ids = scene.layout.ids
     placed = told.kind != "place" or any(piece.phrases for piece in told.destination)
-    if told.sets:
-        options = [tuple(ids[i] for i in np.flatnonzero(mask)) for mask, _ in told.sets]
+    if together:
+        options = [tuple(ids[i] for i in indices_of(mask)) for mask in together]
         return Literal(tuple(dict.fromkeys(options)), kind=told.kind, rival=rival, vague=vague, plural=True,
                        placed=placed)  # fmt: skip
-    members = np.flatnonzero(told.target > HOLDS)
-    if not len(members):
+    if not target:
         return None
-    return Literal(tuple((ids[i],) for i in members), kind=told.kind, rival=rival, vague=vague, placed=placed)
+    options = [(ids[i],) for i in indices_of(target)]
+    return Literal(tuple(options), kind=told.kind, rival=rival, vague=vague, placed=placed)
 
 
-def _check(destination: Sequence[Phrase], target: Array, reader: LiteralReader) -> Rival | None:
+def _check(destination: Sequence[Phrase], target: int, reader: LiteralReader) -> Rival | None:
     """What a destination leaves open.
 
     Raises:
@@ -119,7 +119,7 @@ def _check(destination: Sequence[Phrase], target: Array, reader: LiteralReader) 
                 continue
             ranks = noun.directions or noun.distance or noun.ordinals or noun.middle or noun.far
             leads = piece.tag in ("PP", "SBAR") and not {"from", "of"} & {word.text for word in piece.words}
-            itself = set(np.flatnonzero(target > HOLDS)) == set(reader.members(meant.chosen))
+            itself = target == meant.chosen
             if leads and not ranks and meant.chosen and itself:
                 raise Missing(f"{phrase.text!r} is what is to be moved itself", FIRM)
             if rival is None and phrase.leaves[0].text in _POINTING:
@@ -127,17 +127,17 @@ def _check(destination: Sequence[Phrase], target: Array, reader: LiteralReader) 
     return rival
 
 
-def _left_open(phrase: Phrase, noun: Noun, meant: Meant, target: Array, reader: LiteralReader) -> Rival | None:
+def _left_open(phrase: Phrase, noun: Noun, meant: Meant, target: int, reader: LiteralReader) -> Rival | None:
     """The things of which one is meant by a definite noun that does not tell which."""
     if meant.chosen or meant.plural or meant.sort != "things":
         return None
     alike = len(reader.layout.colors) < 2
     if alike and not noun.colors:
         return None  # people speak loosely of places where nothing else tells things apart
-    spoken_of = reader.context is not None and int((reader.context > HOLDS).sum()) == 1
+    spoken_of = reader.spoken_of is not None and single(reader.spoken_of)
     if spoken_of and not noun.colors and not noun.modifiers:
         return None
-    members = [i for i in reader.members(meant.pool) if target[i] <= HOLDS]
+    members = [i for i in indices_of(meant.pool) if not target >> i & 1]
     return Rival(phrase.text, tuple(reader.layout.ids[i] for i in members)) if len(members) > 1 else None
 
 

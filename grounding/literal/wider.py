@@ -1,8 +1,8 @@
 """Whether what is literally missing is there in a wider sense of its words.
 
 What is not there by sharp words may be there by loose ones: three blocks that do not stand apart are still a group for
-who looks for three, and "behind" fades to the side. A noun that literally means nothing is read once more as graded
-readings do, by itself. Only if that finds nothing either it is missing, however well the rest of a text agrees with the
+who looks for three, and "behind" fades to the side. A noun that literally means nothing is weighed once more by
+degrees, by itself. Only if that finds nothing either it is missing, however well the rest of a text agrees with the
 world: what a text handles in the end may be there though it speaks of something that is not.
 """
 
@@ -14,16 +14,15 @@ from dataclasses import replace
 import numpy as np
 
 from grounding.geometry.masks import indices_of
-from grounding.graded import sets
-from grounding.graded.reader import Reader
-from grounding.lexicon import colour
+from grounding.lexicon import arrangement, colour
 from grounding.literal.values import FIRM, Missing
 from grounding.meaning.nouns import Noun
+from grounding.meaning.reader import Reader
+from grounding.meaning.reading import Context
+from grounding.model.evaluator import Evaluator
 from grounding.world.scene import ROBOT, Scene
 
-SHAPED = 0.6
-"""An arrangement worth less is none in any sense of the word: nothing that looks like one has the number."""
-HELD = 0.25
+HELD = 0.2
 """What is worth less holds of nothing in any sense of the words."""
 CLOSE = 1.6  # centres of blocks of which one seems to stand on the next are at most so many edges apart
 AHEAD = 0.4  # to the line of sight at most, of what seems stacked [rad]
@@ -39,7 +38,7 @@ def is_missing(
 
     Args:
         missing: what is literally not there.
-        agreement: of what the text handles with the world, by its graded readings.
+        agreement: of what the text handles with the world, by degrees.
         scene: the world.
         views: whose directions may be meant.
         history: indices of the objects handled before, the latest last.
@@ -56,7 +55,7 @@ def is_missing(
     if shaped and firm and missing.shape and not alike:
         worth = min(worth, _plainly(noun, scene))
     if shaped:
-        return worth < (SHAPED if missing.shape else HELD)
+        return worth < HELD
     if firm:
         return not alike or worth < HELD
     return min(agreement, worth) < max(missing.limit, HELD)
@@ -71,7 +70,7 @@ def held(noun: Noun, scene: Scene, views: Iterable[str] = (ROBOT,), history: tup
         views: whose directions may be meant.
         history: indices of the objects handled before, the latest last.
     """
-    return max((_by(Reader(scene, view, history), noun) for view in views), default=0.0)
+    return max((_by(Evaluator(scene, view, history), noun) for view in views), default=0.0)
 
 
 def looks_stacked(scene: Scene, noun: Noun) -> bool:
@@ -96,22 +95,22 @@ def looks_stacked(scene: Scene, noun: Noun) -> bool:
     return False
 
 
-def _by(reader: Reader, noun: Noun) -> float:
+def _by(evaluator: Evaluator, noun: Noun) -> float:
+    reader = Reader(Context(handled=bool(evaluator.history)))
     if noun.head == "block" and noun.plural:
         # several are worth what the worst of so many is: as sets they are only weighed against each other
         number = noun.number or (2 if "both" in noun.text.split() else 1)
-        each = replace(noun, plural=False, number=None, universal=False, definite=False)
-        weights = np.sort(reader.noun(each).weights)
-        return float(weights[-number]) if number <= len(weights) else 0.0
-    if noun.head != "container":
-        return float(reader.noun(noun).weights.max(initial=0.0))
-    if "tower" in noun.kinds and not reader.scene.towers and not looks_stacked(reader.scene, noun):
+        each = reader.refer(replace(noun, plural=False, number=None, universal=False, definite=False))
+        truths = np.sort(np.max([case.truth for case in evaluator.cases(each)], axis=0))
+        return float(truths[-number]) if number <= len(truths) else 0.0
+    flat = noun.head == "container" and "tower" in noun.kinds and not evaluator.scene.towers
+    if flat and not looks_stacked(evaluator.scene, noun):
         return 0.0
-    return max((weight for _, weight in reader.noun(noun).sets), default=0.0)
+    return evaluator.denote(reader.refer(noun)).truth
 
 
 def _plainly(noun: Noun, scene: Scene) -> float:
     """How much the best line of so many looks like one: where colours tell things apart nobody counts bands."""
     wanted = colour.truth(scene, noun.colors) > 0.5 if noun.colors else np.ones(scene.n, dtype=bool)
-    found = sets.arranged(scene, noun.kinds, wanted, noun.number)
-    return max((weight for mask, weight in found if noun.number in (None, int(mask.sum()))), default=0.0)
+    found = arrangement.candidates(scene, noun.kinds, wanted, noun.number)
+    return max((c.looks for c in found if noun.number in (None, int(c.mask.sum())) and c.form != "band"), default=0.0)

@@ -88,13 +88,26 @@ def choose(evaluator: Evaluates, conditions: Sequence[Condition], pool: Pool, ba
             found.append(Ranked("ordinal", off, index == 1))
         ordinals = []
     coarse = 1.0 if len(orders) < 2 else value("rank.joint")
-    for order in orders:
-        index = order.rank or (ordinals.pop(0) if ordinals else 1)
+    for order, index in _indexed(conditions, orders, ordinals):
         found.append(_placed(scene, order, pool, index, coarse))
     if any(c.concept == "middle" for c in conditions):
         middle = rank.middle(scene, pool.weights, chosen=pool.chosen)
         found.append(Ranked("middle", middle, True))
     return found
+
+
+def _indexed(
+    conditions: Sequence[Condition], orders: Sequence[Order], ordinals: Sequence[int]
+) -> list[tuple[Order, int]]:
+    """Orders with the ranks that are asked for; an ordinal tells the rank of what is named right before it.
+
+    "The second farthest block that is nearest to the tower" is the second by distance, not by nearness to the tower.
+    """
+    counted = next((place for place, c in enumerate(conditions) if c.concept == "ordinal"), 0)
+    own = counted > 0 and conditions[counted - 1].ranks and conditions[counted - 1].rank is None
+    free = [order for order in orders if order.rank is None]
+    ranks = dict(zip(map(id, free[::-1] if own else free), ordinals, strict=False))
+    return [(order, order.rank or ranks.get(id(order), 1)) for order in orders]
 
 
 def _placed(scene: Scene, order: Order, pool: Pool, index: int, coarse: float) -> Ranked:
@@ -120,7 +133,7 @@ def orders_of(
         several: whether so many are spoken of: "the three on the right".
     """
     orders: list[Order] = []
-    counted = several or any(condition.concept == "ordinal" for condition in conditions)
+    counted = several or is_counted_from(conditions)
     for condition in conditions:
         if condition.concept == "extreme" and not condition.negated:
             orders += _extremes(evaluator, condition, pool)
@@ -132,6 +145,12 @@ def orders_of(
             key = lane(evaluator, condition, base)[1]
             orders.append(Order("lane", key, None, rank.blur(evaluator.scene)))
     return orders
+
+
+def is_counted_from(conditions: Sequence[Condition]) -> bool:
+    """Whether an ordinal counts from places and along directions that are said: nothing else tells an order."""
+    told = any(c.ranks and c.rank is None and c.concept not in ("ordinal", "middle", "size") for c in conditions)
+    return any(c.concept == "ordinal" for c in conditions) and not told
 
 
 def counts_from(condition: Condition) -> bool:

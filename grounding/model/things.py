@@ -12,7 +12,7 @@ from grounding.lexicon.degrees import softened
 from grounding.lexicon.parameters import value
 from grounding.meaning.referents import SETS, Condition, Referent
 from grounding.model.cases import Case, Denotation, Weights
-from grounding.model.choosing import Order, Pool, choose, counts_from, first_of, orders_of
+from grounding.model.choosing import Order, Pool, choose, counts_from, first_of, is_counted_from, orders_of
 from grounding.model.features import add_held, add_rank, logarithm
 from grounding.model.holding import SETS as TRIED
 from grounding.model.holding import Evaluates, Held
@@ -71,7 +71,7 @@ def thing_cases(evaluator: Evaluates, referent: Referent, base: Array | None, *,
 
 def is_counted(referent: Referent) -> bool:
     """Whether objects are counted along what is said: "the third on the left", "the three on the left"."""
-    return any(c.concept == "ordinal" for c in referent.conditions) or (referent.plural and referent.number is not None)
+    return is_counted_from(referent.conditions) or (referent.plural and referent.number is not None)
 
 
 def _held(evaluator: Evaluates, condition: Condition, kind: Array, *, counted: bool) -> Held:

@@ -35,8 +35,8 @@ def test_shares_are_shares_and_symmetric(name, worlds):
 @pytest.mark.parametrize("name", CONCEPTS)
 def test_a_definition_agrees_with_itself(name, worlds):
     for definition in CONCEPTS[name].definitions.values():
-        twice = Concept(CONCEPTS[name].references, {"gamma": definition, "graded": definition})
-        assert agreement(twice, worlds)["agreement"]["gamma"]["graded"] in (1.0, None)
+        twice = Concept(CONCEPTS[name].references, {"gamma": definition, "lexicon": definition})
+        assert agreement(twice, worlds)["agreement"]["gamma"]["lexicon"] in (1.0, None)
 
 
 @pytest.mark.parametrize("part", PARTS)
@@ -62,9 +62,9 @@ def test_what_is_left_open_is_not_compared(worlds):
         raise OPEN[0]("too close to call")
 
     one = next(iter(CONCEPTS["alone"].definitions.values()))
-    report = agreement(Concept(CONCEPTS["alone"].references, {"gamma": one, "graded": silent}), worlds)
-    assert report["open"] == {"gamma": 0.0, "graded": 1.0}
-    assert report["agreement"]["gamma"]["graded"] is None
+    report = agreement(Concept(CONCEPTS["alone"].references, {"gamma": one, "lexicon": silent}), worlds)
+    assert report["open"] == {"gamma": 0.0, "lexicon": 1.0}
+    assert report["agreement"]["gamma"]["lexicon"] is None
 
 
 def test_a_table_has_a_line_for_every_concept(worlds):

@@ -388,7 +388,6 @@ def test_a_reader_that_is_left_out_believes_in_nothing(name):
     understood = without(name).understand("pick up the leftmost block", scene("four"))
     believes = {
         "meanings": any(reading.place >= 0 for reading in understood.belief.readings),
-        "graded": bool(understood.graded.options),
         "literal": bool(understood.literal.options),
     }
     assert {reader for reader, something in believes.items() if not something} == {name}
@@ -411,5 +410,5 @@ def test_each_reader_answers_what_is_plain_by_itself(name):
 
 
 def test_readers_that_are_not_there_cannot_be_left_out():
-    with pytest.raises(GroundingError, match=r"'oracle'.*meanings, graded, literal"):
+    with pytest.raises(GroundingError, match=r"'oracle'.*meanings, literal"):
         without("oracle")

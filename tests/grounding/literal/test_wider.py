@@ -69,7 +69,7 @@ def test_what_seems_stacked_from_above_lies_one_behind_the_other():
 def test_a_number_that_nothing_has_is_held_by_nothing():
     assert held(group(6), scene(LINED)) < held(group(4), scene(LINED))
     several = Noun(head="block", plural=True, number=3, colors=("red",), text="the three red blocks")
-    assert held(several, scene(LINED)) == 0.0
+    assert held(several, scene(LINED)) < 0.05
 
 
 def test_a_noun_counts_however_well_the_rest_agrees():

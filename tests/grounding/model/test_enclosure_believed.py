@@ -1,18 +1,18 @@
 """Between and amid: chances of counts, turned and mirrored scenes, and phrases whose parts are counted."""
 
-import functools
 import itertools
 
 import numpy as np
 import pytest
+from believing import believed, block
 from hypothesis import given
 from hypothesis import strategies as st
 
 from grounding import World, make_object
 from grounding.geometry.layout import Layout
-from grounding.graded.enclosure import Part, _at_least, amid, between_two
-from grounding.graded.reader import Reader
-from grounding.language.parser import Parser
+from grounding.lexicon.between import Part, amid, between_two
+from grounding.lexicon.degrees import at_least
+from grounding.lexicon.where import Where
 from grounding.world.scene import Scene
 
 points = st.lists(st.tuples(st.integers(0, 6), st.integers(-6, 6)), min_size=3, max_size=7, unique=True)
@@ -32,7 +32,7 @@ def test_chances_of_counts_are_those_of_brute_force(chances, count):
         for bits in itertools.product((0, 1), repeat=len(chances))
         if sum(bits) >= count
     )
-    assert _at_least(np.array([chances]), count)[0] == pytest.approx(wanted, abs=1e-9)
+    assert at_least(np.array([chances]), count)[0] == pytest.approx(wanted, abs=1e-9)
 
 
 @given(points, st.booleans(), st.integers(0, 3))
@@ -42,39 +42,36 @@ def test_a_turned_or_mirrored_scene_encloses_the_same(places, mirrored, quarters
     parts = [Part(np.arange(n) % 2 * 1.0, 2), Part((np.arange(n) + 1) % 2 * 1.0, 1)]
     one, other = scene_of(places), scene_of(places, turn)
     for surrounding in (True, False):
-        found = amid(one, parts, surrounding=surrounding)
+        found = amid(Where.objects(one), one, parts, surrounding=surrounding)
         assert ((found >= -1e-9) & (found <= 1 + 1e-9)).all()
-        np.testing.assert_allclose(found, amid(other, parts, surrounding=surrounding), atol=1e-6)
+        np.testing.assert_allclose(found, amid(Where.objects(other), other, parts, surrounding=surrounding), atol=1e-6)
 
 
 @given(points)
 def test_between_two_does_not_depend_on_who_is_named_first(places):
     scene = scene_of(places)
     first = np.linspace(1.0, 0.5, scene.n)
-    np.testing.assert_allclose(between_two(scene, first, first[::-1]), between_two(scene, first[::-1], first))
+    where = Where.objects(scene)
+    there, back = between_two(where, scene, first, first[::-1]), between_two(where, scene, first[::-1], first)
+    np.testing.assert_allclose(there, back)
 
 
 def test_nothing_lies_between_where_there_is_one():
     scene = scene_of([(0, 0)])
-    assert amid(scene, [Part(np.ones(1), 2)], surrounding=False).tolist() == [0.0]
+    assert amid(Where.objects(scene), scene, [Part(np.ones(1), 2)], surrounding=False).tolist() == [0.0]
 
 
 # Phrases: a yellow block with two reds and a blue around it, one with a red on one side, one amid four greens.
 
-SCENE = Scene(Layout(World(tuple(
-    make_object(name, "block", color, (0.6 + 0.07 * x, 0.07 * y, 0.736))
+WORLD = World(tuple(
+    block(name, color, 0.6 + 0.07 * x, 0.07 * y)
     for name, color, x, y in (
         ("y1", "yellow", 0, 0), ("r1", "red", 0, 1), ("r2", "red", 0, -1), ("u1", "blue", 1, 0),
         ("y2", "yellow", 0, 6), ("r3", "red", 0, 7),
         ("y3", "yellow", 0, -6), ("g1", "green", 1, -6), ("g2", "green", -1, -6), ("g3", "green", 0, -5),
         ("g4", "green", 0, -7),
     )
-))))  # fmt: skip
-
-
-@functools.cache
-def parser():
-    return Parser.load()
+))  # fmt: skip
 
 
 @pytest.mark.parametrize(
@@ -89,8 +86,6 @@ def parser():
     ],
 )
 def test_counted_parts_tell_what_is_enclosed(text, name):
-    phrase = next(p for p in parser().parse(text, 1)[0].tree.preorder() if p.tag == "NP")
-    weights = Reader(SCENE).value(phrase).weights
-    best, second = np.argsort(-weights)[:2]
-    assert SCENE.layout.ids[best] == name
-    assert weights[best] > 2 * weights[second]
+    best, second, *_ = believed(text, WORLD).listed()
+    assert best.objects == (name,)
+    assert best.probability > 2 * second.probability

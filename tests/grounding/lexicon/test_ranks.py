@@ -1,4 +1,4 @@
-"""Graded predicates: ranks are Poisson-binomial, everything lies in [0, 1], nothing depends on the order of objects."""
+"""Degrees: ranks are Poisson-binomial, everything lies in [0, 1], nothing depends on the order of objects."""
 
 import itertools
 
@@ -7,7 +7,6 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from grounding.graded import scores
 from grounding.lexicon import between, degrees
 
 NOISE = 0.3
@@ -95,35 +94,6 @@ def test_the_logistic_does_not_overflow(x):
     assert value == pytest.approx(1 - float(degrees.logistic(np.array([-x]))[0]), abs=1e-12)
 
 
-# Places
-
-
-def ahead(*offsets, strict=False):
-    offset = np.array(offsets, dtype=float)
-    gap = np.maximum(np.linalg.norm(offset, axis=1) - 0.05, 0.0)
-    return scores.directed(offset, gap, np.array([1.0, 0.0]), 0.05, strict=strict)
-
-
-def test_a_direction_fades_to_the_side_behind_and_with_distance():
-    near, far, aside, behind = ahead((0.1, 0), (0.4, 0), (0.1, 0.1), (-0.1, 0))
-    assert 1 >= near > far > 0
-    assert near > aside > behind
-    assert behind < 0.01
-
-
-def test_directly_means_less_to_the_side():
-    loose, strict = ahead((0.15, 0.08)), ahead((0.15, 0.08), strict=True)
-    assert strict[0] < loose[0]
-
-
-@given(st.floats(0, 1), st.floats(0.1, 3))
-def test_beside_is_one_at_contact_and_half_at_its_reach(gap, reach):
-    held = scores.beside(np.array([0.0, reach * 0.05, gap, gap + 0.01]), 0.05, reach)
-    assert held[0] == 1
-    assert held[1] == pytest.approx(0.5)
-    assert held[2] >= held[3] >= 0
-
-
 @given(st.floats(0.1, 0.9), st.floats(-0.3, 0.3))
 def test_between_does_not_know_which_is_the_first(along, across):
     one, other = np.array([0.3, 0.2]), np.array([0.8, -0.1])
@@ -138,12 +108,3 @@ def test_between_does_not_know_which_is_the_first(along, across):
 
 def test_between_a_place_and_itself_is_nothing():
     assert between.truth(np.zeros((2, 2)), np.ones(2), np.ones(2), 0.05).tolist() == [0, 0]
-
-
-@given(st.lists(st.floats(-1, 1), min_size=1, max_size=6))
-def test_the_outermost_is_on_its_side_most(places):
-    along = np.array(places)
-    held = scores.side(along, along)
-    assert (held >= 0).all()
-    assert (held <= 1).all()
-    assert held[np.argmax(along)] == held.max()

@@ -1,45 +1,20 @@
 """What whole texts ask for: statements, givers and takers, what was counted before, in scenes whose answer is plain."""
 
-import functools
-
 import numpy as np
 import pytest
+from believing import TABLE, believed, block, first, grounder, laid
 
-from grounding import World, make_object
+from grounding import World
 from grounding.geometry.layout import Layout
-from grounding.graded.belief import believe
-from grounding.language.parser import Parser
 from grounding.literal.belief import believe_literally
 from grounding.model.belief import believe as weigh
 from grounding.model.belief import read
 from grounding.model.evaluator import EVEN
 from grounding.world.scene import Scene
 
-TABLE = make_object("table", "table", "white", (0.65, 0, 0.691), size=(0.7, 1.8, 0.04))
-
-
-def laid(**places):
-    """A world of grey blocks, each given as x, y and, in a tower, how many lie below."""
-    return World(
-        (TABLE, *(make_object(name, "block", "gray", (x, y, 0.736 + 0.05 * sum(level)))
-                  for name, (x, y, *level) in places.items()))
-    )  # fmt: skip
-
-
 # Two near each other at the far left, a tower at the far right, one alone at the near right, one in the middle.
 WORLD = laid(one=(0.92, 0.55), two=(0.84, 0.55), base=(0.9, -0.5), top=(0.9, -0.5, 1), near=(0.4, -0.55),
              beside=(0.9, -0.3), mid=(0.6, 0.0))  # fmt: skip
-SCENE = Scene(Layout(WORLD))
-
-
-@functools.cache
-def parser():
-    return Parser.load()
-
-
-@functools.cache
-def believed(text):
-    return believe(parser().parse(text), SCENE)
 
 
 @pytest.mark.parametrize(
@@ -52,7 +27,7 @@ def believed(text):
     ],
 )
 def test_a_rank_without_a_noun_is_one_of_those_that_were_counted(text, name):
-    assert believed(text).options[0][0][1] == (name,)
+    assert first(text, WORLD)[1] == (name,)
 
 
 @pytest.mark.parametrize(
@@ -67,8 +42,7 @@ def test_a_rank_without_a_noun_is_one_of_those_that_were_counted(text, name):
     ],
 )
 def test_statements_tell_what_moves(text, name):
-    (kind, names), _ = believed(text).options[0]
-    assert (kind, names) == ("place", (name,))
+    assert first(text, WORLD) == ("place", (name,))
 
 
 @pytest.mark.parametrize(
@@ -85,8 +59,7 @@ def test_statements_tell_what_moves(text, name):
     ],
 )
 def test_givers_and_takers_tell_what_moves(text, name):
-    (kind, names), _ = believed(text).options[0]
-    assert (kind, names) == ("place", (name,))
+    assert first(text, WORLD) == ("place", (name,))
 
 
 @pytest.mark.parametrize(
@@ -100,35 +73,34 @@ def test_givers_and_takers_tell_what_moves(text, name):
     ],
 )
 def test_what_is_furthest_is_found(text, name):
-    assert believed(text).options[0][0][1] == (name,)
+    assert first(text, WORLD)[1] == (name,)
 
 
 def test_the_one_in_a_row_is_alone_there_and_the_first_is_not():
-    rows = Scene(Layout(laid(a=(0.8, 0.3), b=(0.8, 0.1), c=(0.8, -0.1), alone=(0.6, 0.0), d=(0.4, 0.2), e=(0.4, -0.2))))
+    rows = laid(a=(0.8, 0.3), b=(0.8, 0.1), c=(0.8, -0.1), alone=(0.6, 0.0), d=(0.4, 0.2), e=(0.4, -0.2))
     for text, name in (
         ("move the cube in the second row up", "alone"),
         ("move the first cube in the third row up", "d"),
         ("move the last cube in the first row up", "c"),
     ):
-        assert believe(parser().parse(text), rows).options[0][0][1] == (name,)
+        assert first(text, rows)[1] == (name,)
 
 
 def test_a_definite_noun_means_the_one_of_which_it_holds_best():
-    shares = dict(believed("move the cube at the bottom up").options)
-    best, second = sorted(shares.values(), reverse=True)[:2]
-    assert shares[("place", ("near",))] == best
-    assert best > 3 * second
+    best, second, *_ = believed("move the cube at the bottom up", WORLD).listed()
+    assert best.objects == ("near",)
+    assert best.probability > 2 * second.probability
 
 
 @pytest.mark.parametrize("text", ["the top cube moves left", "move the cube at the back left two spaces right"])
 def test_shares_sum_to_one(text):
-    assert np.isclose(sum(share for _, share in believed(text).options), 1.0)
+    assert np.isclose(sum(share for _, share in believed(text, WORLD).options), 1.0)
 
 
 def test_what_differs_by_place_only_is_never_literal_beyond_doubt():
-    parses = parser().parse("take the leftmost cube")
+    parses = grounder().parser.parse("take the leftmost cube")
     for colors, alike in ((("gray", "gray", "gray"), True), (("red", "blue", "red"), False)):
-        blocks = [make_object(f"b{i}", "block", color, (0.6, 0.4 - 0.4 * i, 0.736)) for i, color in enumerate(colors)]
+        blocks = [block(f"b{i}", color, 0.6, 0.4 - 0.4 * i) for i, color in enumerate(colors)]
         scene = Scene(Layout(World((TABLE, *blocks))))
         literal = believe_literally(parses, scene, weigh(read(parses, scene), EVEN))
         assert [names for (_, names), _ in literal.options] == [("b0",)]

@@ -10,7 +10,6 @@ from hypothesis import strategies as st
 import models
 from grounding import World, load_world, make_object
 from grounding.geometry.layout import Layout
-from grounding.graded import sets
 from grounding.lexicon import arrangement
 from grounding.world.scene import Scene
 
@@ -50,16 +49,15 @@ def test_bands_leave_out_what_is_not_wanted(cells):
 @settings(max_examples=40)
 def test_clusters_are_sets_of_at_least_two_with_weights(cells):
     scene = scene_of(cells)
-    for mask, weight in sets.clusters(scene, np.ones(scene.n, dtype=bool)):
-        assert mask.sum() >= 2
-        assert 0 <= weight <= 1
+    for candidate in arrangement.clusters(scene, np.ones(scene.n, dtype=bool)):
+        assert candidate.mask.sum() >= 2
+        assert 0 <= candidate.looks <= 1
 
 
 def test_two_heaps_are_two_clusters():
     scene = scene_of([(0, 10), (1, 10), (0, 11), (10, -10), (11, -10)])
-    found = [(frozenset(np.flatnonzero(mask).tolist()), w) for mask, w in sets.clusters(scene, np.ones(5, dtype=bool))]
-    best = sorted(found, key=lambda item: -item[1])[:2]
-    assert {members for members, _ in best} == {frozenset((0, 1, 2)), frozenset((3, 4))}
+    best = sorted(arrangement.clusters(scene, np.ones(5, dtype=bool)), key=lambda c: -c.looks)[:2]
+    assert {frozenset(np.flatnonzero(c.mask).tolist()) for c in best} == {frozenset((0, 1, 2)), frozenset((3, 4))}
 
 
 @pytest.mark.parametrize(
@@ -72,42 +70,40 @@ def test_two_heaps_are_two_clusters():
 )  # fmt: skip
 def test_arrangements_with_their_number(name, kind, count, members):
     scene = Scene(Layout(load_world(models.SCENES / f"{name}.json")))
-    found = sets.arranged(scene, (kind,), np.ones(scene.n, dtype=bool), count)
-    assert {scene.layout.ids[i] for i in np.flatnonzero(found[0][0])} == members
-    weights = [weight for _, weight in found]
-    assert weights == sorted(weights, reverse=True)
-    assert all(0 < weight <= 1 for weight in weights)
+    found = arrangement.candidates(scene, (kind,), np.ones(scene.n, dtype=bool), count)
+    assert {scene.layout.ids[i] for i in np.flatnonzero(found[0].mask)} == members
+    worth = [c.looks * arrangement.numbered(c.mask, count) for c in found]
+    assert worth == sorted(worth, reverse=True)
+    assert all(0 < held <= 1 for held in worth)
 
 
 def test_a_missing_number_makes_doubtful():
     scene = Scene(Layout(load_world(models.SCENES / "seven.json")))
-    found = sets.arranged(scene, ("row",), np.ones(scene.n, dtype=bool), 4)
-    assert sets.existence(found, 4, ("row",)) == 1
-    assert sets.existence(found, None, ("row",)) == 1
-    wrong = sets.arranged(scene, ("row",), np.ones(scene.n, dtype=bool), 9)
-    assert sets.existence(wrong, 9, ("row",)) < 0.2
+    right, wrong = (arrangement.candidates(scene, ("row",), np.ones(scene.n, dtype=bool), count) for count in (4, 9))
+    assert max(c.looks * arrangement.numbered(c.mask, 4) for c in right) > 0.5
+    assert max((c.looks * arrangement.numbered(c.mask, 9) for c in wrong), default=0.0) < 0.2
 
 
 def test_plurals_are_all_that_match_or_so_many():
     scene = Scene(Layout(load_world(models.SCENES / "four.json")))
     red = np.array([item.color == "red" for item in scene.layout.things], dtype=float)
-    (everything, weight), *_ = sets.collected(scene, red, None, True)
-    assert everything.tolist() == (red > 0).tolist()
-    assert weight == 1
-    (two, _), *_ = sets.collected(scene, red, 2, False)
-    assert two.tolist() == (red > 0).tolist()
-    (too_few, doubt), *_ = sets.collected(scene, red, 3, False)
-    assert too_few.sum() == 2
-    assert doubt < 0.5
-    assert sets.collected(scene, np.zeros(4), 2, False) == []
+    (everything, *_) = arrangement.collected(scene, red, None, True)
+    assert everything.mask.tolist() == (red > 0).tolist()
+    assert everything.looks == 1
+    (two, *_) = arrangement.collected(scene, red, 2, False)
+    assert two.mask.tolist() == (red > 0).tolist()
+    (too_few, *_) = arrangement.collected(scene, red, 3, False)
+    assert too_few.mask.sum() == 2
+    assert too_few.looks < 0.5
+    assert arrangement.collected(scene, np.zeros(4), 2, False) == []
 
 
 def test_who_counts_more_than_stand_out_means_the_next_as_well():
     scene = scene_of([(0, 0), (0, 2), (0, 4), (8, 9)])
-    (mask, weight), *_ = sets.collected(scene, np.array([1.0, 0.2, 0.15, 0.001]), 3, False)
-    assert mask.tolist() == [True, True, True, False]
-    assert 0.1 < weight < 1
+    (three, *_) = arrangement.collected(scene, np.array([1.0, 0.2, 0.15, 0.001]), 3, False)
+    assert three.mask.tolist() == [True, True, True, False]
+    assert 0.1 < three.looks < 1
     for universal in (False, True):  # "all four" are four
-        (mask, weight), *_ = sets.collected(scene, np.array([1.0, 0.2, 0.15, 0.001]), 4, universal)
-        assert mask.all()
-        assert weight < 0.2
+        (four, *_) = arrangement.collected(scene, np.array([1.0, 0.2, 0.15, 0.001]), 4, universal)
+        assert four.mask.all()
+        assert four.looks < 0.2

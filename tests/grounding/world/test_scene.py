@@ -1,4 +1,4 @@
-"""A scene measured for graded readings: directions of every viewpoint, gaps between boxes, what is stacked."""
+"""A scene, measured: directions of every viewpoint, gaps between boxes, what is stacked."""
 
 import numpy as np
 import pytest

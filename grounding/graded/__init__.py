@@ -1,1 +1,0 @@
-"""Graded readings: every phrase is worth a degree for every object."""
