@@ -33,6 +33,7 @@ _LARGEST = 12  # arrangements of more are not counted at sight
 _NEAR = 3.0  # a thing is described by others at most so many edges away
 _SIDES = {"left": "on the left", "right": "on the right", "front": "at the front", "back": "at the back"}
 _RELATIONS = ("behind", "in front of", "to the left of", "to the right of", "next to")
+_RANKS = ("second", "third", "fourth", "fifth", "sixth")
 _SWAPPED = {"me": "you", "you": "me", "my": "your", "your": "my"}
 
 
@@ -107,11 +108,8 @@ class Describer:
                 best = Description(_said(candidate.tree.text), candidate.noun, cost)
         if best is not None:
             return best
-        item = layout.things[index]
-        text = name_object(layout, name, among)
-        if text.endswith(f" {name}") and vague is not None:
-            return vague
-        return Description(text, next((n for n in (f"{item.color} {item.type}", item.type) if n in text), ""))
+        noun = self._noun(index)
+        return vague or Description(f"the {noun} {name}", noun)
 
     def _weights(self, tree: Phrase) -> Array:
         """Measure how well a phrase leads to every thing, by the view that understands it worst, shape (n,)."""
@@ -123,10 +121,7 @@ class Describer:
 
     def _candidates(self, index: int) -> Iterator[_Candidate]:
         """Noun phrases that may be true of a thing, the plainer ones first."""
-        layout = self.scene.layout
-        item = layout.things[index]
-        coloured = len(layout.colors) > 1 and item.color != "unknown"
-        noun = f"{item.color} {item.type}" if coloured else item.type
+        noun = self._noun(index)
         yield _Candidate(noun_phrase(f"the {noun}"), noun, 0.0)
         for cost, words in self._extremes():
             yield _Candidate(noun_phrase(f"the {words} {noun}"), noun, cost)
@@ -139,6 +134,12 @@ class Describer:
         for cost, words in self._ordinals():
             yield _Candidate(noun_phrase(f"the {words} {noun}"), noun, cost)
 
+    def _noun(self, index: int) -> str:
+        """What a thing is, with its colour where colours differ."""
+        item = self.scene.layout.things[index]
+        coloured = len(self.scene.layout.colors) > 1 and item.color != "unknown"
+        return f"{item.color} {item.type}" if coloured else item.type
+
     def _extremes(self) -> Iterator[tuple[float, str]]:
         if len(self._readers) == 1:
             yield from ((0.05, f"{side}most") for side in ("left", "right"))
@@ -147,7 +148,7 @@ class Describer:
 
     def _ordinals(self) -> Iterator[tuple[float, str]]:
         words = ("nearest", "farthest") if len(self._readers) > 1 else ("leftmost", "rightmost", "nearest", "farthest")
-        for place, rank in enumerate(("second", "third", "fourth")):
+        for place, rank in enumerate(_RANKS):
             yield from ((0.3 + 0.1 * place, f"{rank} {word}") for word in words)
 
     def _places(self, index: int) -> Iterator[tuple[float, str]]:
@@ -157,6 +158,9 @@ class Describer:
             yield from ((0.05, f"{word} to {who}") for word in ("closest", "farthest") for who in ("me", "you"))
             yield from ((0.06, f"on my {side}") for side in ("left", "right"))
             yield from ((0.2, f"farthest to my {side}") for side in ("left", "right"))
+            for place, rank in enumerate(_RANKS):
+                yield from ((0.35 + 0.1 * place, f"{rank} from my {side}") for side in ("left", "right"))
+                yield from ((0.35 + 0.1 * place, f"{rank} closest to {who}") for who in ("me", "you"))
         yield 0.15, "in the middle of the table"
         if len(self._readers) == 1:
             corners = [f"{depth} {side}" for depth in ("front", "back") for side in ("left", "right")]

@@ -45,7 +45,7 @@ def truth(points: Array, first: Array, second: Array, edge: float) -> Array:
     margin, blur = value("between.margin"), value("between.blur")
     inside = logistic((along - margin) / blur) * logistic((1 - margin - along) / blur)
     tolerance = value("between.spread") * length + value("between.width") * edge
-    return np.asarray(inside * gaussian(across, tolerance) * np.exp(-length / (value("between.fading") * edge)))
+    return np.asarray(inside * gaussian(across, tolerance))
 
 
 def between_two(where: Where, scene: Scene, first: Array, second: Array) -> Array:

@@ -15,6 +15,7 @@ from grounding.placing.anchors import Anchors, around, find_anchors
 from grounding.placing.completing import completing, shape_map
 from grounding.placing.floor_plan import PITCH, FloorPlan, Places
 from grounding.placing.sides import side_map, side_points
+from grounding.placing.truths import truths
 from grounding.world import Array
 
 _CROSSED = 7  # coordinates of exact points that are combined
@@ -40,6 +41,13 @@ def ground_clue(clue: Clue, source: int, plan: FloorPlan, reader: PhraseReader) 
     if anchors.members == ((source,),):  # "to the left of it"
         return GroundedClue(Clue("own", (), clue.offsets), None, shift) if clue.offsets else None
     return GroundedClue(clue, anchors, shift)
+
+
+def truth_of(g: GroundedClue, places: Places, plan: FloorPlan, reader: PhraseReader) -> Array | None:
+    """How true a clue is of places, shape (p, h); None where it has no references or is no concept of the lexicon."""
+    if g.anchors is None:
+        return None
+    return truths(g.clue.relation, g.anchors, g.shift, places, plan, reader, strict=g.clue.strict)
 
 
 def agreement(g: GroundedClue, places: Places, source: int, plan: FloorPlan, reader: PhraseReader) -> Array:

@@ -15,7 +15,7 @@ from grounding.model.phrases import PhraseReader
 from grounding.placing.completing import completing
 from grounding.placing.finger_room import leave_room
 from grounding.placing.floor_plan import FloorPlan, Places, find_places, lay_out
-from grounding.placing.grounded_clues import GroundedClue, agreement, exact_points, ground_clue
+from grounding.placing.grounded_clues import GroundedClue, agreement, exact_points, ground_clue, truth_of
 from grounding.placing.maps import Shift
 from grounding.world import Array
 
@@ -25,6 +25,7 @@ UNSAID_TOP = 0.02  # how likely something goes on top of something though nothin
 NEAR = 0.6  # places so close [edges] are as good as one another
 UNPARTED = 0.7  # how much a place counts that was found in a text whose parts are not known
 HELD = 0.01  # where no clue agrees so much with any place, there is no room where it would
+UNTRUE = 0.2  # where between two things no place is truer than this there is no room
 STAYING = 0.3  # what goes less far [edges] is not moved
 NEARER = 75.0  # of places that the words leave open the nearer ones are preferred, fading over so many edges
 _KEPT = 60  # of the best places are compared
@@ -121,15 +122,19 @@ def _settle(clues: list[Clue], source: int, reader: PhraseReader) -> FoundSpot |
     belief = np.where(places.support >= 0, 1.0 if stacked else UNSAID_TOP, 1.0) * places.prior
     away = np.abs(places.points - plan.points[source]).max(axis=1)
     belief = belief * (away > STAYING) * np.exp(-away / NEARER)
-    held = []
+    held, true = [], []
     for g in grounded:
-        single = agreement(g, places, source, plan, reader)
+        single, truth = agreement(g, places, source, plan, reader), truth_of(g, places, plan, reader)
+        if truth is not None:
+            single = single * truth
+            if g.clue.relation == "between":
+                true.append(truth.max(axis=1))
         held.append(single)
         floor = VAGUE if g.clue.relation == "make" else FLOOR
         belief = belief * (
             floor + (1 - floor) * (single.max(axis=1) if g.anchors is None else single @ g.anchors.share)
         )
-    spot = _choose(places, belief, grounded, held, plan)
+    spot = _choose(places, belief, grounded, held, true, plan)
     if spot is None or spot.on or any(clue.relation == "touch" or clue.strict for clue in clues):
         return spot
     return replace(spot, point=leave_room(spot.point, source, scene))
@@ -141,7 +146,7 @@ def _tells_where(clue: Clue, source: int, plan: FloorPlan) -> bool:
 
 
 def _choose(
-    places: Places, belief: Array, grounded: list[GroundedClue], held: list[Array], plan: FloorPlan
+    places: Places, belief: Array, grounded: list[GroundedClue], held: list[Array], true: list[Array], plan: FloorPlan
 ) -> FoundSpot | None:
     """The place with the most belief around it."""
     kept = np.argpartition(-belief, min(_KEPT, len(belief) - 1))[:_KEPT]
@@ -156,6 +161,8 @@ def _choose(
     gain = np.exp(-0.5 * square / NEAR**2) @ weights
     best = int(np.argmax(gain))
     if all(float(single[kept[best]].max()) < HELD for single in held):
+        return None
+    if any(float(truth[kept[best]]) < UNTRUE for truth in true):
         return None
     close = square[best] < 1.0
     certainty = float(weights[close].sum()) / total

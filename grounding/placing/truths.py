@@ -1,0 +1,50 @@
+"""How true what is said of a place is of candidate places, by the same concepts as of the objects that stand there."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from grounding.lexicon import between, direction, nearness
+from grounding.lexicon.where import Where
+from grounding.model.phrases import PhraseReader
+from grounding.placing.anchors import Anchors
+from grounding.placing.floor_plan import FloorPlan, Places
+from grounding.placing.maps import Shift
+from grounding.world import Array
+
+
+def truths(
+    relation: str, anchors: Anchors, shift: Shift, places: Places, plan: FloorPlan, reader: PhraseReader, *,
+    strict: bool = False,
+) -> Array | None:  # fmt: skip
+    """How true a relation to what is referred to is of places.
+
+    Args:
+        relation: of a clue, see `grounding.meaning.goal.clues.Clue`.
+        anchors: hypotheses about what it relates to.
+        shift: the directions that are said.
+        places: the candidates.
+        plan: of the floor.
+        reader: of the scene.
+        strict: whether "directly" is said.
+
+    Returns:
+        shape (p, h); None for what the lexicon has no concept of: ways with a length, what comes about.
+    """
+    scene, flat = reader.scene, places.support < 0
+    where = Where.points(scene, plan.world(places.points))
+    found = np.zeros((len(places.points), len(anchors.share)))
+    for h, members in enumerate(anchors.members):
+        chosen = list(members)
+        if relation == "between" and len(chosen) == 2:
+            found[:, h] = between.truth(where.xy, *scene.xy[chosen], scene.edge)
+        elif relation == "offset" and not shift.said.any() and shift.open.any():
+            vector = shift.open @ plan.axes
+            vector = vector / np.linalg.norm(vector)
+            found[:, h] = direction.truth_of_set(where, scene.xy[chosen], scene.edge, vector, strict=strict)
+        elif relation in ("near", "touch"):
+            reach = nearness.TOUCHING if relation == "touch" else nearness.BESIDE
+            found[:, h] = nearness.truth(where.gaps[:, chosen], scene.edge, reach).max(axis=1) * flat
+        else:
+            return None
+    return found
