@@ -5,7 +5,8 @@
 Described: an object of every world is described, and "pick up" with that description is grounded in the same world; it
 should pick the object. Objects that no description singles out are counted apart. Placed: "put X REL Y" is grounded and
 carried out on paper, and "pick up the block REL Y" is grounded in the world that comes about; it should pick X. X and Y
-are called by what is understood, and nothing else stood so before: all that is truer than one third is in the way.
+are called by what is understood, without modifiers behind their nouns, and nothing else stood so before: all that is
+truer than one third is in the way.
 """
 
 from __future__ import annotations
@@ -35,6 +36,7 @@ TWO = ("between {} and {}",)
 NONE = ("in the front left corner", "in the back right corner", "on the left side of the table",
         "at the back of the table", "in the middle of the table")  # fmt: skip
 IN_THE_WAY = 1 / 3  # what holds so well of something else leaves open which is meant
+_BEHIND = frozenset("to from in on at of next behind under my your".split())
 _SWAPPED = {"me": "you", "you": "me", "my": "your", "your": "my"}
 
 
@@ -99,7 +101,10 @@ class Crossing:
         """Put the first object in relation to the others, and ask for what is in that relation."""
         thing, *others = names
         called = [self._name(world, name) for name in names]
-        if None in called or not all(
+        if not all(map(_is_plain, called)):
+            self.placed.add(relation, "not called plainly")
+            return
+        if not all(
             self._picks(f"pick up {said}", world, name) for said, name in zip(called, names, strict=True)
         ):
             self.placed.add(relation, "not called")
@@ -115,9 +120,9 @@ class Crossing:
             return
         destination = answer.actions[0].destination.position
         moved = world.with_objects(o.moved(destination) if o.id == thing else o for o in world.objects)
-        again = [self._name(moved, name) for name in others]
-        if None in again:
-            self.placed.add(relation, "not called after")
+        again = called[1:] if relation.startswith("on ") else [self._name(moved, name) for name in others]
+        if not all(map(_is_plain, again)):
+            self.placed.add(relation, "not called plainly")
             return
         text = f"pick up the {world[thing].type} {relation.format(*again)}"
         right = self._picks(text, moved, thing)
@@ -131,6 +136,11 @@ class Crossing:
         referent = Reader(Context()).phrase(phrase)
         held = np.max([case.truth for case in Evaluator(scene, ROBOT).cases(referent)] or [np.zeros(scene.n)], axis=0)
         return any(held[i] > IN_THE_WAY for i in range(scene.n) if scene.layout.ids[i] != thing)
+
+
+def _is_plain(said: str | None) -> bool:
+    """Whether words call an object without a modifier behind its noun."""
+    return said is not None and not _BEHIND & set(said.split())
 
 
 def trials(rng: np.random.Generator, world: World, scene: Scene) -> Iterator[tuple[str, tuple[str, ...]]]:

@@ -127,8 +127,8 @@ def _settle(clues: list[Clue], source: int, reader: PhraseReader) -> FoundSpot |
         single, truth = agreement(g, places, source, plan, reader), truth_of(g, places, plan, reader)
         if truth is not None:
             single = single * truth
-            if g.clue.relation == "between":
-                true.append(truth.max(axis=1))
+            if g.clue.relation == "between" and g.anchors is not None:
+                true.append(truth @ g.anchors.share)
         held.append(single)
         floor = VAGUE if g.clue.relation == "make" else FLOOR
         belief = belief * (

@@ -37,7 +37,8 @@ def truths(
     for h, members in enumerate(anchors.members):
         chosen = list(members)
         if relation == "between" and len(chosen) == 2:
-            found[:, h] = between.truth(where.xy, *scene.xy[chosen], scene.edge)
+            first, second = scene.xy[chosen]
+            found[:, h] = between.truth(where.xy, first, second, scene.edge)
         elif relation == "offset" and not shift.said.any() and shift.open.any():
             vector = shift.open @ plan.axes
             vector = vector / np.linalg.norm(vector)

@@ -21,7 +21,8 @@ WORLD = World(
     [
         ("the yellow block", "f"), ("the leftmost red block", "a"), ("the rightmost red cube", "e"),
         ("the second red block from the left", "c"), ("the block between the green block and the blue block", "c"),
-        ("the block directly behind the green block", "f"), ("the red block farthest to the right", "e"), ("the third block from the left in the row of five", "c"),
+        ("the block directly behind the green block", "f"), ("the red block farthest to the right", "e"),
+        ("the third block from the left in the row of five", "c"),
         ("the last red block from the left", "e"), ("the block on top of the green block", "t2"),
         ("the bottom block of the tower", "t1"), ("the red block on your left", "a"), ("the red block on my left", "e"),
     ],
