@@ -23,9 +23,7 @@ from control_weights import shuffled_weights
 from instructions import Instruction, read_instructions
 
 import models
-from grounding.factors import load_model
 from grounding.grounder import READERS, Grounder
-from grounding.inference import Adcg
 from grounding.language.parser import Parser
 from grounding.learning.beliefs import EQUAL
 from grounding.model.cases import Learned
@@ -91,10 +89,9 @@ def measured(
         tell: told every row as it is done.
     """
     remembering = _Remembering(parser)
-    inference = Adcg(load_model(models.WEIGHTS), beam=1)
     shares = {}
     for row in rows:
-        grounder = Grounder(remembering, inference, weights[row.weights](), without=row.without)
+        grounder = Grounder(remembering, weights[row.weights](), without=row.without)
         right = sum(i.is_answered_by(grounder.ground(i.text, worlds[i.world], i.history)) for i in instructions)
         shares[row.name] = round(right / max(len(instructions), 1), 4)
         if tell is not None:
@@ -116,7 +113,7 @@ def main() -> None:
     args = parser.parse_args()
     instructions, worlds = read_instructions(args.set, args.worlds)
     texts = Parser.load(models.GRAMMAR)
-    reading = Grounder(texts, Adcg(load_model(models.WEIGHTS), beam=1), EQUAL)
+    reading = Grounder(texts, EQUAL)
     weights: dict[str, Loading] = {
         "learned": cache(lambda: load_learned(models.BELIEFS)), "equal": lambda: EQUAL,
         "shuffled": cache(lambda: shuffled_weights(reading, args.generated, args.cache)),

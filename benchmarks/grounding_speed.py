@@ -59,7 +59,7 @@ def loaded() -> tuple[Grounder, TimedParser, float]:
     grounder = Grounder.load()
     milliseconds = 1e3 * (time.perf_counter() - start)
     parser = TimedParser(grounder.parser)
-    return Grounder(parser, grounder.inference, grounder.learned, grounder.parses), parser, milliseconds
+    return Grounder(parser, grounder.learned, grounder.parses), parser, milliseconds
 
 
 def timed(grounder: Grounder, parser: TimedParser, text: str, world: World) -> Spent:

@@ -39,7 +39,7 @@ def main() -> None:
     parser.add_argument("--seed", type=int, help="draw anew with this seed")
     parser.add_argument("--freeze", type=Path, metavar="FILE", help="write what is drawn to FILE and ground nothing")
     parser.add_argument("--grammar", type=Path, default=models.GRAMMAR)
-    parser.add_argument("--weights", type=Path, default=models.WEIGHTS)
+    parser.add_argument("--beliefs", type=Path, default=models.BELIEFS)
     parser.add_argument("--wrong", type=int, default=0, metavar="N", help="show N that are wrong on standard error")
     args = parser.parse_args()
     if args.count is None and args.seed is None and args.freeze is None:
@@ -50,7 +50,7 @@ def main() -> None:
         write_instructions(kept, worlds, args.freeze)
         print(json.dumps({"examples": len(kept), "output": str(args.freeze)}))
         return
-    print(json.dumps(measured(kept, worlds, Grounder.load(args.grammar, args.weights), args.wrong)))
+    print(json.dumps(measured(kept, worlds, Grounder.load(args.grammar, args.beliefs), args.wrong)))
 
 
 def drawn(count: int, seed: int) -> tuple[tuple[Instruction, ...], dict[str, World]]:

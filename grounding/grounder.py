@@ -12,10 +12,8 @@ import models
 from grounding.course import Course
 from grounding.dialogue import action_of, decide
 from grounding.errors import GroundingError, LanguageError
-from grounding.factors import load_model
 from grounding.forbidding import without_forbidden
 from grounding.geometry.layout import Layout
-from grounding.inference import Adcg
 from grounding.language.lexicon import meanings
 from grounding.language.parser import Parse, Parser
 from grounding.language.tree import Phrase
@@ -29,7 +27,6 @@ from grounding.model.cases import Learned, Weights
 from grounding.model.evaluator import Evaluator
 from grounding.model.opinions import Opinion, with_opinions
 from grounding.model.storage import load_learned
-from grounding.readings import Reading, readings
 from grounding.result import GroundedAction, Grounding
 from grounding.returning import returned, returns
 from grounding.standpoint import unknown_side
@@ -93,7 +90,6 @@ class Understanding:
         parses: of the text, the likeliest first.
         scene: the world, measured.
         literal: what the parses ask for literally.
-        readings: by the factors, of the parses that agree best with the world; the likeliest first.
         belief: what learned weights make of the meanings of the parses and of what the literal one holds of them.
     """
 
@@ -101,8 +97,12 @@ class Understanding:
     parses: tuple[Parse, ...]
     scene: Scene
     literal: LiteralBelief
-    readings: tuple[Reading, ...]
     belief: Belief
+
+    @property
+    def parse(self) -> Parse:
+        """The parse that agrees best with the world."""
+        return self.parses[next(iter(self.belief.parses()), 0)]
 
     def decided(self, before: World | None = None) -> Grounding:
         """The answer.
@@ -110,11 +110,9 @@ class Understanding:
         Args:
             before: the world before the latest object was handled, where that is known.
         """
-        tree = self.readings[0].inference.tree
-        parse = next((parse for parse in self.parses if parse.tree is tree), self.parses[0])
-        result = decide(
-            self.text, self.readings, self.scene, parse.unknown_words, self.belief, self.literal
-        )
+        parse = self.parse
+        tree = parse.tree
+        result = decide(self.text, tree, self.scene, parse.unknown_words, self.belief, self.literal)
         if returns(tree):
             result = returned(result, self.scene.layout.world, before)
         if result.outcome == "grounded" and not result.explanation:
@@ -133,12 +131,12 @@ class Understanding:
         found = self.belief.listed()
         if found:
             return found
-        bare = open_options(self.readings[0].inference.tree, self.scene)
+        bare = open_options(self.parse.tree, self.scene)
         return tuple(Option(names, 1 / len(bare), ((kind, 1.0),)) for kind, names in bare)
 
     def action(self, option: Option) -> GroundedAction:
         """What is to be done where an option is meant."""
-        return action_of(option, self.readings, self.scene, self.belief)
+        return action_of(option, self.parse.tree, self.belief)
 
 
 @dataclass(frozen=True, eq=False)
@@ -159,14 +157,12 @@ class Followed:
 
 
 class Grounder:
-    """Grounds instructions with one grammar, one set of factors and one set of weights that decide.
+    """Grounds instructions with one grammar and one set of weights that decide.
 
     Args:
         parser: from text to phrase trees.
-        inference: from phrase trees to symbols, which tell what phrases mean.
         learned: the weights of the features of what may be meant.
         parses: how many parses of a text are kept and read; the world decides between them.
-        inferred: how many of those that agree best with the world are grounded by the factors.
         without: names of `READERS` that are left out: they believe in nothing, and no other reader hears of them. What
             is answered then tells what they are worth.
 
@@ -175,17 +171,14 @@ class Grounder:
     """
 
     def __init__(
-        self, parser: Parser, inference: Adcg, learned: Learned, parses: int = 4, inferred: int = 1,
-        without: Collection[str] = (),
-    ) -> None:  # fmt: skip
+        self, parser: Parser, learned: Learned, parses: int = 4, without: Collection[str] = ()
+    ) -> None:
         for name in without:
             if name not in READERS:
                 raise GroundingError(f"no reader is called {name!r}; there are {', '.join(READERS)}")
         self.parser = parser
-        self.inference = inference
         self.learned = learned
         self.parses = parses
-        self.inferred = inferred
         self.without = frozenset(without)
         self._scenes: OrderedDict[int, tuple[World, Scene]] = OrderedDict()
 
@@ -196,21 +189,19 @@ class Grounder:
 
     @classmethod
     def load(
-        cls, grammar: Path = models.GRAMMAR, weights: Path = models.WEIGHTS, beliefs: Path = models.BELIEFS,
-        without: Collection[str] = (),
-    ) -> Grounder:  # fmt: skip
+        cls, grammar: Path = models.GRAMMAR, beliefs: Path = models.BELIEFS, without: Collection[str] = ()
+    ) -> Grounder:
         """Read the shipped grammar and weights, or others.
 
         Args:
             grammar: of the parser.
-            weights: of the factors, without ending.
             beliefs: the weights that decide.
             without: names of `READERS` that are left out.
 
         Raises:
             ModelError: a file is missing, damaged or of another version.
         """
-        return cls(Parser.load(grammar), Adcg(load_model(weights), beam=1), load_learned(beliefs), without=without)
+        return cls(Parser.load(grammar), load_learned(beliefs), without=without)
 
     def ground(self, text: str, world: World, history: Sequence[str] = (), before: World | None = None) -> Grounding:
         """Understand an instruction.
@@ -268,11 +259,7 @@ class Grounder:
     def _read(self, text: str, parses: Step, scene: Scene, history: Sequence[str]) -> Understanding:
         heard = self.hear(parses, scene, history)
         belief = weigh(heard.meanings, self.learned.deciding)
-        kept = belief.parses()[: self.inferred] or range(min(len(parses), self.inferred))
-        likely = [parses[place] for place in kept]
-        memory: dict[object, list] = {}
-        inferred = [(self.inference.infer(parse.tree, scene.layout, memory), parse.probability) for parse in likely]
-        return Understanding(text, parses, scene, heard.literal, readings(inferred, scene.layout), belief)
+        return Understanding(text, parses, scene, heard.literal, belief)
 
     def hear(self, parses: Sequence[Parse], scene: Scene, history: Sequence[str] = ()) -> Heard:
         """Read parses in every way, before it is weighed what is meant; for learning the weights as well."""

@@ -2,137 +2,167 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 
-from grounding.inference import Hypothesis
+import numpy as np
+
+from grounding.language.lexicon import meanings
 from grounding.language.tree import Phrase
-from grounding.meaning.nouns import read_noun
-from grounding.meaning.referents import OBJECTS, SETS
+from grounding.lexicon.words import flat
+from grounding.meaning.nouns import Noun, read_noun
+from grounding.meaning.reader import Reader
+from grounding.meaning.referents import OBJECTS, SETS, Condition
 from grounding.model.belief import Belief
 from grounding.model.belief import Reading as Believed
-from grounding.model.phrases import reader_of
-from grounding.readings import Reading
-from grounding.result import GroundedAction, PhraseGrounding
-from grounding.symbols import Action, Container, ObjectSymbol, Region, Symbol, symbol_key
+from grounding.model.cases import Denotation
+from grounding.model.phrases import PhraseReader, reader_of
+from grounding.result import Destination, GroundedAction, PhraseGrounding
+from grounding.symbols import (
+    SPATIAL_REFERENCES,
+    Action,
+    Container,
+    ObjectSymbol,
+    Region,
+    Symbol,
+    symbol_key,
+)
 
 LIKELY = 0.3  # a reading agrees with an answer to whose objects it gives such a part of the best one's weight
 _LISTED = 0.1  # objects less likely for a phrase than this are not listed
 _MOST = 6
+_THINGS = ("block", "container", "pronoun", "other")
+_CLAUSES = ("VP", "S", "FRAG")
+_REGIONS = {"beside": "near", "touching": "near", "between": "between", "on": "top"}
 
-Symbols = list[tuple[Symbol, float]]
-
-
-def by_factors(reading: Reading, belief: Mapping[Action, float]) -> tuple[PhraseGrounding, ...]:
-    """Every phrase of a reading with the symbols it was grounded to by the factors.
-
-    Args:
-        reading: the one to tell.
-        belief: shares of the actions, told instead of their probabilities by the factor alone.
-    """
-
-    def symbols_of(_: Phrase, hypothesis: Hypothesis) -> Symbols:
-        found: Symbols = []
-        for symbol in hypothesis.symbols:
-            known = isinstance(symbol, Action) and symbol in belief
-            probability = belief[symbol] if known else hypothesis.probabilities.get(symbol, 1.0)  # type: ignore[index]
-            found.append((symbol, probability))
-        return found
-
-    return walked(reading, symbols_of)
+Symbols = dict[Symbol, float]
 
 
-def by_answer(reading: Reading, belief: Belief, actions: Sequence[GroundedAction]) -> tuple[PhraseGrounding, ...]:
-    """Every phrase with kinds, labels and numbers as the factors have them, and objects as the answer does.
+def phrases_of(tree: Phrase, belief: Belief, actions: Sequence[GroundedAction]) -> tuple[PhraseGrounding, ...]:
+    """Every phrase with its symbols, the likeliest first, outer phrases before inner ones.
+
+    Words name kinds, colours, numbers and directions. Noun phrases have the objects or the arrangements that they mean,
+    prepositional ones the regions, and the whole has the actions.
 
     Args:
-        reading: by the factors, whose hypothesis speaks of other objects than the answer.
-        belief: with which the answer was found; it has a reading.
-        actions: the answer with its rivals, the likeliest first.
+        tree: the parse that was taken.
+        belief: with which the answer was found.
+        actions: the answer with its rivals, the likeliest first; none where there is none.
     """
-    agreeing = _agreeing(belief, actions[0].objects)
-    named = dict(_weighed(reading.inference.tree, agreeing))
-    target = next(iter(named), None)
-    shares = {a.objects[0]: a.probability for a in actions if len(a.objects) == 1}
-    members = tuple(sorted(set(actions[0].objects)))  # nothing depends on the order of a set
-    place = actions[0].destination
-    references = () if place is None else place.reference
-
-    def symbols_of(phrase: Phrase, hypothesis: Hypothesis) -> Symbols:
-        kept: Symbols = [
-            (symbol, hypothesis.probabilities.get(symbol, 1.0))
-            for symbol in hypothesis.symbols
-            if not isinstance(symbol, ObjectSymbol | Action | Region)
-            and not (isinstance(symbol, Container) and symbol.objects and not set(members) <= set(symbol.objects))
-        ]
-        if phrase.tag in ("VP", "S", "FRAG") and phrase is reading.inference.tree:
-            kept += [(Action(a.action, tuple(sorted(a.objects))), a.probability) for a in actions]
-        if phrase in named:
-            found = named[phrase]
-            if phrase is target:
-                found = dict.fromkeys(members, actions[0].probability) if len(members) > 1 else shares
-            else:
-                found = _leading(found, references)
-            kept += [(ObjectSymbol(name), p) for name, p in found.items() if p >= _LISTED or name in members][:_MOST]
-        return kept
-
-    return walked(reading, symbols_of)
+    reading = _agreeing(belief, actions[0].objects) if actions else next(iter(_told(belief)), None)
+    reader = None if reading is None else reader_of(reading)
+    found, target = [], True
+    for phrase, depth in _walk(tree, 0):
+        symbols: Symbols = {symbol: 1.0 for word in phrase.words for symbol in meanings(word.text)}
+        if phrase is tree and phrase.tag in _CLAUSES:
+            symbols |= {_action(action): action.probability for action in actions}
+        if reader is not None and phrase.tag == "NP" and read_noun(phrase).head in _THINGS:
+            meant = _named(phrase, reader)
+            if meant and target and actions:
+                meant, target = _handled(meant, actions), False
+            elif actions:
+                meant = _leading(meant, actions[0].destination)
+            symbols |= meant
+        elif reader is not None and phrase.tag == "PP":
+            symbols |= _regions(phrase, reader)
+        ordered = sorted(symbols.items(), key=lambda item: (-item[1], symbol_key(item[0])))
+        found.append(PhraseGrounding(phrase.text, phrase.tag, phrase.span, depth, tuple(ordered)))
+    return tuple(found)
 
 
-def _leading(found: dict[str, float], references: tuple[str, ...]) -> dict[str, float]:
-    """The objects of a phrase, those that the answer refers to first, where they are among them."""
-    named = [name for name in references if name in found]
-    if not named or not found:
-        return found
-    best = max(found.values())
-    top = dict.fromkeys(named, best)
-    return {**top, **{name: min(p, found[named[0]]) for name, p in found.items() if name not in top}}
+def _walk(phrase: Phrase, depth: int) -> Iterator[tuple[Phrase, int]]:
+    yield phrase, depth
+    for child in phrase.phrases:
+        yield from _walk(child, depth + 1)
 
 
-def _agreeing(belief: Belief, objects: tuple[str, ...]) -> Believed:
+def _told(belief: Belief) -> list[Believed]:
+    return [reading for reading in belief.readings if reading.told.target is not None]
+
+
+def _agreeing(belief: Belief, objects: tuple[str, ...]) -> Believed | None:
     """The likeliest reading that finds the answer likely."""
-    for reading in belief.readings:
-        if reading.told.target is None:
-            continue
+    told = _told(belief)
+    for reading in told:
+        assert reading.told.target is not None
         index = reading.evaluator.scene.layout.index
         weights = reading.evaluator.denote(reading.told.target).weights
         share = sum(float(weights[index[name]]) for name in objects if name in index)
         if share > LIKELY * len(objects) * float(weights.max(initial=0.0)):
             return reading
-    return belief.readings[0]
+    return next(iter(told), None)
 
 
-def _weighed(tree: Phrase, reading: Believed) -> Sequence[tuple[Phrase, dict[str, float]]]:
-    """Noun phrases of things with their likely objects, in preorder."""
-    reader, found = reader_of(reading), []
-    ids = reader.scene.layout.ids
-    for phrase in tree.preorder():
-        if phrase.tag != "NP" or read_noun(phrase).head not in ("block", "container", "pronoun", "other"):
+def _action(action: GroundedAction) -> Action:
+    place = action.destination
+    if place is None or place.relation not in SPATIAL_REFERENCES or not place.reference:
+        return Action(action.action, action.objects)
+    return Action(action.action, action.objects, Region(place.relation, "object", place.reference))
+
+
+def _named(phrase: Phrase, reader: PhraseReader) -> Symbols:
+    """The likely objects of a noun phrase, or its likely arrangements."""
+    referent, denotation = reader.phrase(phrase)
+    weights, ids = denotation.weights, reader.scene.layout.ids
+    if referent.sort not in (OBJECTS, SETS) or not weights.any():
+        return {}
+    if referent.sort == SETS and referent.kinds and denotation.sets:
+        likely = [(mask, chance) for mask, chance in denotation.sets if chance >= _LISTED][:_MOST]
+        return {Container(referent.kinds[0], _names(mask, ids)): chance for mask, chance in likely}
+    if referent.sort == OBJECTS:
+        weights = weights / float(weights.sum())
+    order = sorted(range(len(weights)), key=lambda i: -weights[i])[:_MOST]
+    return {ObjectSymbol(ids[i]): min(1.0, float(weights[i])) for i in order if weights[i] >= _LISTED}
+
+
+def _names(mask: np.ndarray, ids: Sequence[str]) -> tuple[str, ...]:
+    return tuple(name for name, inside in zip(ids, mask, strict=True) if inside)
+
+
+def _handled(meant: Symbols, actions: Sequence[GroundedAction]) -> Symbols:
+    """The objects of what is handled, as the answer has them."""
+    best = actions[0]
+    whole = next((s for s in meant if isinstance(s, Container) and set(s.objects) == set(best.objects)), None)
+    if whole is not None:
+        return {whole: best.probability}
+    if len(best.objects) > 1:
+        return {ObjectSymbol(name): best.probability for name in sorted(set(best.objects))}
+    shares = {a.objects[0]: a.probability for a in actions if len(a.objects) == 1}
+    return {ObjectSymbol(name): p for name, p in shares.items() if p >= _LISTED or name == best.objects[0]}
+
+
+def _leading(meant: Symbols, place: Destination | None) -> Symbols:
+    """The objects of a phrase, those that the answer refers to first, where they are among them."""
+    named = [s for s in meant if isinstance(s, ObjectSymbol) and place is not None and s.id in place.reference]
+    if not named:
+        return meant
+    top: Symbols = dict.fromkeys(named, max(meant.values()))
+    return {**top, **{symbol: min(p, meant[named[0]]) for symbol, p in meant.items() if symbol not in top}}
+
+
+def _regions(phrase: Phrase, reader: PhraseReader) -> Symbols:
+    """The regions that a prepositional phrase names by what it relates to."""
+    found: Symbols = {}
+    for condition in Reader(reader.context).conditions(phrase, Noun(head="block")):
+        relation = _relation(condition)
+        denoted = [reader.evaluator.denote(referent) for referent in condition.of]
+        if relation is None or not denoted or not all(d.weights.any() for d in denoted):
             continue
-        referent, denotation = reader.phrase(phrase)
-        weights = denotation.weights
-        if referent.sort not in (OBJECTS, SETS) or not weights.any():
-            continue
-        if referent.sort == OBJECTS:
-            weights = weights / float(weights.sum())
-        order = sorted(range(len(weights)), key=lambda i: -weights[i])
-        found.append((phrase, {ids[i]: min(1.0, float(weights[i])) for i in order if weights[i] >= _LISTED}))
+        names = tuple(name for denotation in denoted for name in _likeliest(denotation, reader.scene.layout.ids))
+        kinds = condition.of[0].kinds if len(denoted) == 1 and denoted[0].sets else ()
+        found[Region(relation, kinds[0] if kinds else "object", tuple(dict.fromkeys(names)))] = 1.0
     return found
 
 
-def walked(reading: Reading, symbols_of: Callable[[Phrase, Hypothesis], Symbols]) -> tuple[PhraseGrounding, ...]:
-    """Every phrase of a reading with its symbols, the likeliest first, in preorder.
+def _relation(condition: Condition) -> str | None:
+    if condition.negated:
+        return None
+    if condition.concept == "toward":
+        names = flat(condition.words)
+        return names[0] if len(names) == 1 and names[0] in SPATIAL_REFERENCES else None
+    return _REGIONS.get(condition.concept)
 
-    Args:
-        reading: by the factors.
-        symbols_of: a phrase with its hypothesis.
-    """
-    found: list[PhraseGrounding] = []
 
-    def visit(phrase: Phrase, hypothesis: Hypothesis, depth: int) -> None:
-        symbols = sorted(symbols_of(phrase, hypothesis), key=lambda item: (-item[1], symbol_key(item[0])))
-        found.append(PhraseGrounding(phrase.text, phrase.tag, phrase.span, depth, tuple(symbols)))
-        for child, part in zip(phrase.phrases, hypothesis.children, strict=True):
-            visit(child, part, depth + 1)
-
-    visit(reading.inference.tree, reading.hypothesis, 0)
-    return tuple(found)
+def _likeliest(denotation: Denotation, ids: Sequence[str]) -> tuple[str, ...]:
+    if denotation.sets:
+        return _names(denotation.sets[0][0], ids)
+    return (ids[int(np.argmax(denotation.weights))],)

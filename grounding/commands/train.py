@@ -26,7 +26,6 @@ from grounding.factors import FactorModel, load_model, save_model
 from grounding.features import FAMILIES
 from grounding.geometry.layout import Layout
 from grounding.grounder import Grounder
-from grounding.inference import Adcg
 from grounding.language.compiled import write_tables
 from grounding.language.grammar import Grammar
 from grounding.language.parser import Parser
@@ -110,7 +109,7 @@ def run(args: argparse.Namespace) -> int:
 def _learn_beliefs(args: argparse.Namespace, start: float) -> int:
     """Learn the weights that decide, from the treebank, from generated texts and from free ones, and write them."""
     parser = Parser.load(args.output / models.GRAMMAR.name)
-    grounder = Grounder(parser, Adcg(load_model(args.output / models.WEIGHTS.name), beam=1), EQUAL)
+    grounder = Grounder(parser, EQUAL)
     corpora = [load_corpus(None)]
     if args.generated:
         _say(f"{args.generated} texts are generated")

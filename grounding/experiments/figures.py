@@ -15,9 +15,10 @@ from grounding.experiments.engines import ADAPTIVE, Engine, make_engine
 from grounding.experiments.errors import ExperimentError
 from grounding.experiments.panels import Figure, phrases_of, telling_panels, unsaid_kinds
 from grounding.experiments.splits import layout_key
+from grounding.factors import load_model
 from grounding.geometry.layout import Layout
-from grounding.grounder import Grounder
-from grounding.inference import aligned
+from grounding.inference import Adcg, aligned
+from grounding.language.parser import Parser
 from grounding.learning import learn
 from grounding.learning.examples import annotated
 from grounding.symbols import Container
@@ -122,12 +123,12 @@ def _best(figures: Sequence[tuple[bool, Figure]], count: int) -> tuple[Figure, .
 
 def own_figures() -> tuple[Figure, ...]:
     """Figures of instructions in words of our own, in scenes and with factors that ship with the project."""
-    grounder = Grounder.load()
+    parser, engine = Parser.load(), Adcg(load_model(models.WEIGHTS), beam=1)
     figures = []
     for own in OWN:
         world = load_world(models.SCENES / f"{own.scene}.json")
-        tree = grounder.parser.parse(own.text, 1)[0].tree
-        best = grounder.inference.infer(tree, Layout(world)).hypotheses[0]
+        tree = parser.parse(own.text, 1)[0].tree
+        best = engine.infer(tree, Layout(world)).hypotheses[0]
         note = f"in words of our own, in the scene {own.scene!r}, with the grammar and the factors that ship"
         figures.append(Figure(own.name, own.text, world, telling_panels(phrases_of(tree, best), world), note))
     return tuple(figures)

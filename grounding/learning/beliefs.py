@@ -96,7 +96,7 @@ def learn_beliefs(
     rng = None if shuffled is None else np.random.default_rng(shuffled)
     learned = EQUAL
     for number, without in enumerate((*[ALONE] * ROUNDS, grounder.without), start=1):
-        reader = Grounder(grounder.parser, grounder.inference, learned, without=without)
+        reader = Grounder(grounder.parser, learned, without=without)
         problem = collect(_examples(kept, reader, rng))
         if progress is not None:
             found = f"{problem.texts} texts, {len(problem.names)} features, {problem.lost} texts left out"

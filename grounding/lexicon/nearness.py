@@ -7,7 +7,7 @@ import numpy as np
 from grounding.lexicon.parameters import value
 from grounding.world import Array
 
-BESIDE, TOUCHING, APART = "nearness.beside", "nearness.touching", "nearness.apart"
+BESIDE, NEAR, TOUCHING, APART = "nearness.beside", "nearness.near", "nearness.touching", "nearness.apart"
 HAVING, AMONG = "nearness.having", "nearness.among"
 REACH = "enclosure.reach"
 

@@ -113,6 +113,11 @@ def is_beside(word: str) -> bool:
     return vocabulary().has("nearness", word)
 
 
+def nearness(word: str) -> str | None:
+    """How near a word says that things are, "beside" or "near"; None for other words."""
+    return vocabulary().value("nearness", word)
+
+
 def is_between(word: str) -> bool:
     """Whether a word puts something between others."""
     return vocabulary().has("between", word, "between")
@@ -162,6 +167,11 @@ def size(word: str) -> int:
 def is_table(word: str) -> bool:
     """Whether a noun means the table as a whole."""
     return vocabulary().has("surface", word)
+
+
+def is_layout(word: str) -> bool:
+    """Whether a noun means what the things on the table span: "grid"."""
+    return vocabulary().has("surface", word, "layout")
 
 
 def is_measure(word: str) -> bool:

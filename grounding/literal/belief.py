@@ -16,6 +16,7 @@ from grounding.model.belief import Belief
 from grounding.world.scene import ROBOT, Scene
 
 FAMILIAR = 16  # a text of more words may well be misunderstood where only places tell things apart
+FAR_FETCHED = 0.02  # parses that the grammar finds so much less likely than the best are read after the others
 LIKELY = 0.1  # parses with a smaller share of belief say nothing literally
 
 Option = tuple[str, tuple[str, ...]]
@@ -68,7 +69,8 @@ def believe_literally(
     shares = _shares(belief)
     words = len(parses[0].tree.leaves)
     found: list[Literal] = []
-    for place in sorted(shares, key=lambda place: -shares[place]):
+    best = max(parse.probability for parse in parses)
+    for place in sorted(shares, key=lambda place: (parses[place].probability < FAR_FETCHED * best, -shares[place])):
         if shares[place] < LIKELY:
             break
         literal = read_literally(parses[place].tree, scene, handled)
@@ -83,21 +85,21 @@ def believe_literally(
             break  # no other parse makes up for a shape or a count that is not there
         if len(literal.options) == 1 and literal.placed:
             break
-    best = min(found, key=lambda literal: (not literal.placed, len(literal.options) or len(parses) + scene.n),
+    told = min(found, key=lambda literal: (not literal.placed, len(literal.options) or len(parses) + scene.n),
                default=None)  # fmt: skip
-    if best is None:
+    if told is None:
         return SILENT
-    if best.missing is not None:
-        gone = _gone(best.missing, words, scene, belief, handled)
-        made = best.missing.noun is not None and best.missing.noun.head == "container" and forms(parses[0].tree)
+    if told.missing is not None:
+        gone = _gone(told.missing, words, scene, belief, handled)
+        made = told.missing.noun is not None and told.missing.noun.head == "container" and forms(parses[0].tree)
         if not gone or (made and belief.readings[:1] and belief.readings[0].told.kind == "place"):
             return SILENT  # what is to be made need not be there
-        return LiteralBelief(missing=f"{best.missing}; to make one, say which block goes where" if made
-                             else str(best.missing))  # fmt: skip
-    share = 1.0 / len(best.options)
-    options = tuple(((best.kind, names), share) for names in best.options)
+        return LiteralBelief(missing=f"{told.missing}; to make one, say which block goes where" if made
+                             else str(told.missing))  # fmt: skip
+    share = 1.0 / len(told.options)
+    options = tuple(((told.kind, names), share) for names in told.options)
     alike = len(scene.layout.colors) < 2 and belief.agreement >= FAINT
-    return LiteralBelief(options, rival=best.rival, vague=best.vague, alike=alike, plural=best.plural)
+    return LiteralBelief(options, rival=told.rival, vague=told.vague, alike=alike, plural=told.plural)
 
 
 def _shares(belief: Belief) -> dict[int, float]:

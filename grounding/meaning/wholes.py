@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from grounding.lexicon.words import is_rim, is_table
+from grounding.lexicon.words import is_layout, is_rim, is_table
 from grounding.meaning.nouns import Noun, read_noun
 from grounding.meaning.reading import Reads
 from grounding.meaning.referents import Condition, Referent, Region, again
@@ -38,7 +38,9 @@ def region_of(noun: Noun, further: Region | None = None) -> Region:
     middle = noun.middle or (further is not None and further.middle)
     rim = any(is_rim(word) for word in noun.text.split())
     whole = noun_of_whole(noun)
-    table = (whole is not None and whole.head == "table") or any(is_table(word) for word in noun.text.split()[:-1])
+    texts = noun.text.split()
+    table = (whole is not None and whole.head == "table") or any(is_table(text) for text in texts[:-1])
+    table = table and not any(is_layout(text) for text in texts)
     return Region(tuple(names), middle, noun.place == "corner", rim, noun.place is None, noun.agent, table)
 
 

@@ -59,7 +59,9 @@ def plain(truth: Array) -> Held:
     return Held(np.clip(truth, 0.0, 1.0), np.ones(len(truth)))
 
 
-def related(denotation: Denotation, truth: Array, preference: Array, number: int | None = None) -> Held:
+def related(
+    denotation: Denotation, truth: Array, preference: Array, number: int | None = None, *, together: bool = False
+) -> Held:
     """A relation of objects to objects, made one of objects to what a referent means.
 
     Args:
@@ -67,10 +69,11 @@ def related(denotation: Denotation, truth: Array, preference: Array, number: int
         truth: of every object (row) to every other one, shape (n, n).
         preference: the same for which is meant.
         number: how many the referent says it is.
+        together: whether it has to hold of all its members: "near the red and the blue block".
     """
     truth = np.where(np.eye(len(truth), dtype=bool), 0.0, truth)
     if denotation.sets:
-        return _related_to_sets(denotation, truth, truth * preference, number)
+        return _related_to_sets(denotation, truth, truth * preference, number, together=together)
     likely = denotation.weights[None, :]
     return fraction(_some(truth * likely), _some(truth * preference * likely))
 
@@ -85,15 +88,17 @@ def fraction(truth: Array, held: Array) -> Held:
     return Held(truth, np.divide(held, truth, out=np.ones_like(held), where=truth > 1e-9))
 
 
-def _related_to_sets(denotation: Denotation, truth: Array, held: Array, number: int | None) -> Held:
+def _related_to_sets(
+    denotation: Denotation, truth: Array, held: Array, number: int | None, *, together: bool
+) -> Held:  # fmt: skip
     best_truth, best = np.zeros(len(truth)), np.zeros(len(truth))
     for mask, chance in denotation.sets[:SETS]:
         count = int(mask.sum())
         if not count:
             continue
         several = 1 < count <= 3 and number is not None
-        inside = held[:, mask].mean(axis=1) if several else held[:, mask].max(axis=1)
-        true = truth[:, mask].mean(axis=1) if several else truth[:, mask].max(axis=1)
+        over = np.min if together else np.mean if several else np.max
+        inside, true = over(held[:, mask], axis=1), over(truth[:, mask], axis=1)
         best = np.maximum(best, chance * inside * ~mask)
         best_truth = np.maximum(best_truth, chance * true * ~mask)
     return fraction(best_truth, best)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from grounding.lexicon import amount, direction, nearness, rank
+from grounding.lexicon import amount, direction, nearness, rank, words
 from grounding.lexicon.parameters import value
 from grounding.lexicon.relations import relation
 from grounding.lexicon.where import Where
@@ -93,11 +93,13 @@ def _stepped(evaluator: Evaluates, condition: Condition, base: Array) -> Held:
 def _near(evaluator: Evaluates, condition: Condition, base: Array, reach: str) -> Held:
     held = nearness.truth(evaluator.where.gaps, evaluator.scene.edge, reach)
     reference = condition.of[0]
-    return related(evaluator.denote(reference, base), held, np.ones_like(held), reference.number)
+    found = evaluator.denote(reference, base)
+    return related(found, held, np.ones_like(held), reference.number, together=bool(reference.parts))
 
 
 def _beside(evaluator: Evaluates, condition: Condition, base: Array) -> Held:
-    return _near(evaluator, condition, base, nearness.HAVING if condition.said == "has" else nearness.BESIDE)
+    reach = nearness.NEAR if words.nearness(condition.said) == "near" else nearness.BESIDE
+    return _near(evaluator, condition, base, nearness.HAVING if condition.said == "has" else reach)
 
 
 def _touching(evaluator: Evaluates, condition: Condition, base: Array) -> Held:

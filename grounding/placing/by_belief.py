@@ -59,6 +59,13 @@ def leads_off_table(belief: Belief, objects: tuple[str, ...]) -> bool:
     return leads_off(_pieces(reading), source, reader_of(reading))
 
 
+def where_to(belief: Belief) -> str:
+    """The words by which the likeliest reading tells where to, without the verb; "" where it tells nothing."""
+    told = _telling(belief)
+    pieces = [piece for piece in told[0][0].told.destination if piece.phrases] if told else []
+    return " ".join(piece.text for piece in pieces)
+
+
 def _telling(belief: Belief) -> list[tuple[Reading, float]]:
     """The readings that tell of something to handle, the likeliest first, with their shares."""
     return [item for item in zip(belief.readings, belief.shares, strict=True) if item[0].told.target is not None]

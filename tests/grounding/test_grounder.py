@@ -144,8 +144,8 @@ def test_a_text_without_words_is_refused(text):
 
 
 def test_missing_weights_are_named(tmp_path):
-    with pytest.raises(ModelError, match="no such weights"):
-        Grounder.load(weights=tmp_path / "nothing")
+    with pytest.raises(ModelError, match=r"cannot read the weights .*nothing\.json"):
+        Grounder.load(beliefs=tmp_path / "nothing.json")
 
 
 @pytest.mark.parametrize("text", ["don't pick up the nearest block", "do not pick up the nearest block"])
@@ -380,7 +380,7 @@ def test_a_colour_that_is_taken_for_another_is_told():
 
 
 def without(*names):
-    return Grounder(grounder().parser, grounder().inference, grounder().learned, without=names)
+    return Grounder(grounder().parser, grounder().learned, without=names)
 
 
 @pytest.mark.parametrize("name", READERS)

@@ -8,9 +8,9 @@ import models
 from grounding import Grounder, load_world
 from grounding.model.belief import believe, read
 from grounding.model.evaluator import EVEN
-from grounding.phrases import by_answer
-from grounding.result import GroundedAction
-from grounding.symbols import ObjectSymbol
+from grounding.phrases import phrases_of
+from grounding.result import Destination, GroundedAction
+from grounding.symbols import Action, Cardinal, Container, ObjectColor, ObjectSymbol, Region
 
 WORLD = load_world(models.SCENES / "four.json")
 BY_LEFT = [o.id for o in sorted(WORLD.things, key=lambda o: -o.position[1])]
@@ -25,7 +25,7 @@ def phrases(text, *ids, action="pick"):
     """Noun phrases with their likely objects, where an answer handles `ids`."""
     understood = grounder().understand(text, WORLD)
     belief = believe(read(understood.parses, understood.scene), EVEN)
-    told = by_answer(understood.readings[0], belief, [GroundedAction(action, ids, 0.9)])
+    told = phrases_of(understood.parse.tree, belief, [GroundedAction(action, ids, 0.9)])
     return {phrase.text: [(symbol.id, p) for symbol, p in phrase.groundings if isinstance(symbol, ObjectSymbol)]
             for phrase in told if phrase.tag == "NP"}  # fmt: skip
 
@@ -40,3 +40,34 @@ def test_what_it_is_related_to_has_its_own_objects():
     found = phrases(text, BY_LEFT[0], action="place")
     assert found["the leftmost block"] == [(BY_LEFT[0], 0.9)]
     assert found["the rightmost block"][0][0] == BY_LEFT[-1]
+
+
+def symbols(text, world=WORLD):
+    """What phrases mean, by their texts."""
+    return {phrase.text: dict(phrase.groundings) for phrase in grounder().ground(text, world).phrases}
+
+
+def test_words_have_their_own_symbols_and_the_whole_has_the_action():
+    found = symbols("pick up the red block")
+    assert ObjectColor("red") in found["the red block"]
+    actions = [s for s in found["pick up the red block"] if isinstance(s, Action) and s.objects]
+    assert all(WORLD[name].color == "red" for action in actions for name in action.objects)
+    assert actions
+
+
+def test_arrangements_and_regions_are_told():
+    world = load_world(models.SCENES / "default.json")
+    found = symbols("pick up the middle block in the row of five blocks", world)
+    row = next(s for s in found["the row of five blocks"] if isinstance(s, Container) and s.objects)
+    assert row == Container("row", ("b1", "b2", "b3", "b4", "b5"))
+    assert Cardinal(5) in found["five blocks"]
+    beside = symbols("pick up the block behind the red block")
+    assert any(isinstance(s, Region) and s.relation == "back" for of in beside.values() for s in of)
+
+
+def test_where_something_goes_belongs_to_the_action():
+    understood = grounder().understand("put the leftmost block on the rightmost block", WORLD)
+    place = Destination((0.0, 0.0, 0.0), "top", (BY_LEFT[-1],))
+    told = phrases_of(understood.parse.tree, understood.belief, [GroundedAction("place", (BY_LEFT[0],), 0.9, place)])
+    wanted = Action("place", (BY_LEFT[0],), Region("top", "object", (BY_LEFT[-1],)))
+    assert dict(told[0].groundings)[wanted] == 0.9

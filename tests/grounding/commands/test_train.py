@@ -48,7 +48,7 @@ def test_the_same_corpus_gives_the_same_bytes(small, capsys):
     assert [line["examples"] for line in summary] == [len(read_corpus(small / "small.jsonl"))] * 2
     assert summary[0]["features"] > 0
     assert "factors" in told.err
-    grounder = Grounder.load(small / "first" / "grammar.json", small / "first" / "weights")
+    grounder = Grounder.load(small / "first" / "grammar.json")
     result = grounder.ground("take the leftmost block", load_world(models.SCENES / "four.json"))
     assert result.outcome in ("grounded", "ambiguous", "no_referent", "not_understood")
 

@@ -179,7 +179,7 @@ def test_outcomes_follow(text, outcome):
 
 
 def test_what_is_read_literally_alone_is_answered():
-    alone = Grounder(grounder().parser, grounder().inference, grounder().learned, without=("meanings",))
+    alone = Grounder(grounder().parser, grounder().learned, without=("meanings",))
     result = alone.ground("take the yellow block", WORLD)
     assert result.outcome == "grounded"
     assert result.actions[0].objects == ("f",)
