@@ -18,6 +18,7 @@ from grounding.model.cases import Denotation
 from grounding.model.phrases import PhraseReader, reader_of
 from grounding.result import Destination, GroundedAction, PhraseGrounding
 from grounding.symbols import (
+    CONTAINER_KINDS,
     SPATIAL_REFERENCES,
     Action,
     Container,
@@ -107,11 +108,16 @@ def _named(phrase: Phrase, reader: PhraseReader) -> Symbols:
         return {}
     if referent.sort == SETS and referent.kinds and denotation.sets:
         likely = [(mask, chance) for mask, chance in denotation.sets if chance >= _LISTED][:_MOST]
-        return {Container(referent.kinds[0], _names(mask, ids)): chance for mask, chance in likely}
+        return {Container(_kind(referent.kinds), _names(mask, ids)): chance for mask, chance in likely}
     if referent.sort == OBJECTS:
         weights = weights / float(weights.sum())
     order = sorted(range(len(weights)), key=lambda i: -weights[i])[:_MOST]
     return {ObjectSymbol(ids[i]): min(1.0, float(weights[i])) for i in order if weights[i] >= _LISTED}
+
+
+def _kind(kinds: Sequence[str]) -> str:
+    """The kind of container in Γ, where a diagonal is a row."""
+    return next((kind for kind in kinds if kind in CONTAINER_KINDS), "row")
 
 
 def _names(mask: np.ndarray, ids: Sequence[str]) -> tuple[str, ...]:
@@ -149,7 +155,7 @@ def _regions(phrase: Phrase, reader: PhraseReader) -> Symbols:
             continue
         names = tuple(name for denotation in denoted for name in _likeliest(denotation, reader.scene.layout.ids))
         kinds = condition.of[0].kinds if len(denoted) == 1 and denoted[0].sets else ()
-        found[Region(relation, kinds[0] if kinds else "object", tuple(dict.fromkeys(names)))] = 1.0
+        found[Region(relation, _kind(kinds) if kinds else "object", tuple(dict.fromkeys(names)))] = 1.0
     return found
 
 

@@ -5,7 +5,7 @@ import functools
 import pytest
 
 import models
-from grounding import Grounder, load_world
+from grounding import Grounder, World, load_world, make_object
 from grounding.model.belief import believe, read
 from grounding.model.evaluator import EVEN
 from grounding.phrases import phrases_of
@@ -71,3 +71,10 @@ def test_where_something_goes_belongs_to_the_action():
     told = phrases_of(understood.parse.tree, understood.belief, [GroundedAction("place", (BY_LEFT[0],), 0.9, place)])
     wanted = Action("place", (BY_LEFT[0],), Region("top", "object", (BY_LEFT[-1],)))
     assert dict(told[0].groundings)[wanted] == 0.9
+
+
+def test_a_diagonal_is_a_row_of_gamma():
+    blocks = [make_object(f"d{i}", color="red", position=(0.45 + 0.08 * i, 0.3 - 0.08 * i, 0.736)) for i in range(4)]
+    world = World((WORLD["table"], *blocks, make_object("x", color="blue", position=(0.5, -0.4, 0.736))))
+    found = symbols("pick up the first block in the diagonal", world)["the diagonal"]
+    assert any(isinstance(s, Container) and s.kind == "row" and s.objects for s in found)
