@@ -32,20 +32,19 @@ def destination(belief: Belief, objects: tuple[str, ...]) -> Destination | None:
     if len(objects) > 1 and not any(_leads(piece) for reading, _ in heard for piece in reading.told.destination):
         return None  # "stack the two red blocks": on what?
     found: dict[tuple[str, tuple[Phrase, ...]], tuple[FoundSpot, float]] = {}
-    full: set[tuple[Phrase, ...]] = set()
+    full: set[int] = set()
     for reading, share in heard:
-        pieces = tuple(reading.told.destination)
-        said = reading.evaluator.view, pieces
+        said = reading.evaluator.view, tuple(reading.told.destination)
         if said in found:
             found[said] = (found[said][0], found[said][1] + share)
             continue
-        spot = None if pieces in full else _find(reading, source)
+        spot = None if reading.place in full else _find(reading, source)
         if spot is not None:
             found[said] = (spot, share)
             continue
         if reading is heard[0][0] and leads_off_table(belief, objects):
             return None
-        full.add(pieces)  # where there is no room as one looks, there is none as somebody else would look
+        full.add(reading.place)  # where there is no room as one looks, there is none as somebody else would look
     spot = agreed(list(found.values()), scene.edge)
     return None if spot is None else _stated(spot, source, scene)
 
