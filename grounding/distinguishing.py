@@ -24,7 +24,7 @@ from grounding.world.scene import ROBOT, SPEAKER, Scene
 
 CLEAR = 0.75  # what leads to its thing with such a share of all weight is understood
 AMONG = 0.9  # and with such a share among the things in question
-AMBIGUOUS = 0.5  # what leads to its thing with no greater share is not said
+AMBIGUOUS = 0.65  # what leads to its thing with no greater share is not said
 DOUBT = 0.2  # what a description costs that leads to other things alone
 FAINT = 0.05  # things that a phrase means to a lesser degree are no rivals
 HOLDS = 0.3  # what holds to a lesser degree is not said

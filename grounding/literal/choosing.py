@@ -8,6 +8,7 @@ import numpy as np
 
 from grounding.geometry.layout import UPRIGHT, Layout
 from grounding.geometry.masks import indices_of, mask_of, single
+from grounding.lexicon import person
 from grounding.literal.values import Order, Unread
 from grounding.symbols import LAST, Region
 from grounding.world import Array
@@ -89,6 +90,12 @@ def from_reference(layout: Layout, names: tuple[str, ...], away: bool) -> Callab
         return distance if away else -distance
 
     return key
+
+
+def from_person(scene: Scene, owner: str, away: bool) -> Callable[[int], Array]:
+    """How near things lie to somebody, or how far."""
+    distance = person.distance_from(scene, owner)
+    return lambda pool: (1.0 if away else -1.0) * distance[list(indices_of(pool))]
 
 
 def to_center(layout: Layout) -> Callable[[int], Array]:

@@ -9,7 +9,7 @@ from grounding.geometry.masks import mask_of, single
 from grounding.language.lexicon import meanings
 from grounding.language.tree import Phrase, Word
 from grounding.lexicon import words as w
-from grounding.literal.choosing import alone, along, from_reference, to_center, toward
+from grounding.literal.choosing import alone, along, from_person, from_reference, to_center, toward
 from grounding.literal.places import NAMES, OPPOSITE, PARTS
 from grounding.literal.relations import region_of
 from grounding.literal.values import Effect, Meant, Member, Narrow, Order, Sided, Unread, Viewed
@@ -257,7 +257,9 @@ def _by_distance(
     """Ranks by distance: "second farthest from it", "furthest to the left", "furthest from the left"."""
     layout = reader.layout
     if meant.sort == "agent":
-        name = "far" if far != (meant.agent == SPEAKER) else "near"
+        if meant.agent == SPEAKER:
+            return Order(from_person(reader.scene, SPEAKER, far), index)
+        name = "far" if far else "near"
         return Order(along(layout, name), index, name)
     if meant.sort == "place" and meant.parts and meant.parts[0].sort == "table":
         meant = Meant("place", names=meant.names)
