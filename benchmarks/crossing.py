@@ -31,7 +31,7 @@ from grounding.world import World
 from grounding.world.scene import ROBOT, Scene
 
 ONE = ("to the left of {}", "to the right of {}", "in front of {}", "behind {}", "next to {}", "on {}", "touching {}",
-       "near {}", "directly behind {}", "directly to the left of {}")  # fmt: skip
+       "near {}", "directly behind {}", "directly to the left of {}", "diagonal from {}")  # fmt: skip
 TWO = ("between {} and {}",)
 NONE = ("in the front left corner", "in the back right corner", "on the left side of the table",
         "at the back of the table", "in the middle of the table")  # fmt: skip

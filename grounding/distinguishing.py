@@ -15,6 +15,7 @@ import numpy as np
 from grounding.built_phrases import modified, modifier, noun_phrase
 from grounding.describing import name_object
 from grounding.language.tree import Phrase, Word
+from grounding.lexicon.relations import said
 from grounding.model.cases import Weights
 from grounding.model.evaluator import EVEN, Evaluator
 from grounding.model.phrases import PhraseReader
@@ -182,6 +183,10 @@ class Describer:
                 yield from ((0.08, modifier(word, reference)) for word in words)
             else:
                 yield from ((0.15, modifier(word, reference)) for word in relations)
+        for other in (int(i) for i in np.argsort(gaps, kind="stable") if i != index):
+            reference = self._landmark(other)
+            if reference is not None:
+                yield from ((0.25, modifier(word, reference)) for word in said())
         for outside, name in self._arrangements(index):
             if outside:
                 yield from ((0.14 + 0.05 * len(name.phrases), modifier(word, name)) for word in relations)

@@ -113,6 +113,11 @@ def is_beside(word: str) -> bool:
     return vocabulary().has("nearness", word)
 
 
+def related(word: str) -> str | None:
+    """The relation of `grounding.lexicon.relations` that a word says, None for other words."""
+    return vocabulary().value("relation", word)
+
+
 def nearness(word: str) -> str | None:
     """How near a word says that things are, "beside" or "near"; None for other words."""
     return vocabulary().value("nearness", word)

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from grounding.meaning.goal.clues import Clue
+from grounding.meaning.goal.clues import RELATION, Clue
 from grounding.model.phrases import PhraseReader
 from grounding.placing import maps
 from grounding.placing.amid_sets import amid_sets
@@ -15,7 +15,7 @@ from grounding.placing.anchors import Anchors, around, find_anchors
 from grounding.placing.completing import completing, shape_map
 from grounding.placing.floor_plan import PITCH, FloorPlan, Places
 from grounding.placing.sides import side_map, side_points
-from grounding.placing.truths import truths
+from grounding.placing.truths import preferences, truths
 from grounding.world import Array
 
 _CROSSED = 7  # coordinates of exact points that are combined
@@ -55,6 +55,8 @@ def agreement(g: GroundedClue, places: Places, source: int, plan: FloorPlan, rea
     if g.anchors is None:
         return _of_itself(g, places, source, plan, reader)[:, None]
     points = places.points
+    if g.clue.relation.startswith(RELATION):
+        return preferences(g.clue.relation.removeprefix(RELATION), g.anchors, places, plan, reader)
     match g.clue.relation:
         case "offset":
             return maps.offset_from(g.shift, g.anchors, points, g.clue.strict)

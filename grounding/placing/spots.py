@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from grounding.language.tree import Phrase
-from grounding.meaning.goal.clues import Clue
+from grounding.meaning.goal.clues import RELATION, Clue
 from grounding.meaning.goal.items import Item, line_up
 from grounding.meaning.goal.listening import listen
 from grounding.model.phrases import PhraseReader
@@ -180,6 +180,8 @@ def _reference(grounded: list[GroundedClue], held: list[Array], at: int) -> tupl
         if g.anchors is None or g.clue.relation == "toward":
             continue
         best = int(np.argmax(single[at] * g.anchors.share))
+        if g.clue.relation.startswith(RELATION):
+            return None, g.anchors.members[best]
         names = [n for offset in g.clue.offsets for n in offset.names]
         flat = {"up": "back", "down": "front"}.get(names[0], names[0]) if len(set(names)) == 1 else "near"
         relation = "between" if g.clue.relation == "between" else flat if names else "near"

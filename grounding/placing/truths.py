@@ -5,7 +5,9 @@ from __future__ import annotations
 import numpy as np
 
 from grounding.lexicon import between, direction, nearness
+from grounding.lexicon.relations import relation as module
 from grounding.lexicon.where import Where
+from grounding.meaning.goal.clues import RELATION
 from grounding.model.phrases import PhraseReader
 from grounding.placing.anchors import Anchors
 from grounding.placing.floor_plan import FloorPlan, Places
@@ -46,6 +48,15 @@ def truths(
         elif relation in ("near", "touch"):
             reach = nearness.TOUCHING if relation == "touch" else nearness.BESIDE
             found[:, h] = nearness.truth(where.gaps[:, chosen], scene.edge, reach).max(axis=1) * flat
+        elif relation.startswith(RELATION):
+            found[:, h] = module(relation.removeprefix(RELATION)).truth(where, scene)[:, chosen].max(axis=1) * flat
         else:
             return None
     return found
+
+
+def preferences(name: str, anchors: Anchors, places: Places, plan: FloorPlan, reader: PhraseReader) -> Array:
+    """Which places in a relation of the lexicon would be meant, shape (p, h)."""
+    where = Where.points(reader.scene, plan.world(places.points))
+    held = module(name).preference(where, reader.scene)
+    return np.stack([held[:, list(members)].max(axis=1) for members in anchors.members], axis=1)

@@ -3,7 +3,8 @@
 A module here has two functions of the places that are asked for and of the scene, each of shape (m, n) for m places and
 n objects, in [0, 1]: `truth(where, scene)` tells how well a place stands in the relation to an object, and
 `preference(where, scene)` which of the places that it is true of would be meant. The words that say it stand in the
-section [relation] of the table of words, under the module's name.
+section [relation] of the table of words, under the module's name. Where a module has words to say it before what it is
+related to, as `SAID`, things are described by it as well.
 """
 
 from __future__ import annotations
@@ -13,6 +14,7 @@ from functools import lru_cache
 from types import ModuleType
 
 from grounding.errors import LexiconError
+from grounding.lexicon.vocabulary import vocabulary
 
 
 @lru_cache(maxsize=64)
@@ -31,3 +33,11 @@ def relation(name: str) -> ModuleType:
         if not callable(getattr(module, function, None)):
             raise LexiconError(f"expected {where} to have a function {function}(where, scene)")
     return module
+
+
+def said() -> tuple[str, ...]:
+    """The words by which relations are said before what they relate to: "diagonal from"."""
+    families = vocabulary().families["relation"]
+    names = sorted({value for values in families.values() for value in values})
+    found = (getattr(relation(name), "SAID", None) for name in names)
+    return tuple(text for text in found if text)

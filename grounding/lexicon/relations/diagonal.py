@@ -11,6 +11,7 @@ from grounding.lexicon.where import Where
 from grounding.world import Array
 from grounding.world.scene import Scene
 
+SAID = "diagonal from"
 _OFF = np.pi / 10  # what is farther from the diagonal than a third of the way to an axis is rather not on it
 
 

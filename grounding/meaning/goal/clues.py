@@ -6,6 +6,9 @@ from dataclasses import dataclass, replace
 
 from grounding.meaning.nouns import Noun
 
+RELATION = "relation."
+"""Before the name of a relation that is a module of the lexicon."""
+
 
 @dataclass(frozen=True)
 class Offset:
@@ -36,7 +39,8 @@ class Clue:
     Attributes:
         relation: "own", from where it stands; "offset", from the references; "on" one of them; "near"; "touch";
             "between"; "align", in a row or column with them; "in" a set of them; "toward"; "place", of the table;
-            "surface", on the table; "tower", on anything; "make", so that an arrangement comes about.
+            "surface", on the table; "tower", on anything; "make", so that an arrangement comes about; or `RELATION`
+            with the name of a relation.
         nouns: what it relates to; none for what stands by itself.
         offsets: directions and lengths from there.
         axis: "row" or "column" of what is aligned, or "" where either may be.

@@ -7,7 +7,7 @@ from dataclasses import replace
 from grounding.lexicon import whereto as g
 from grounding.lexicon import words as w
 from grounding.meaning.goal.ahead import direction_follows, side_follows, thing_follows, top_of_thing
-from grounding.meaning.goal.clues import Clue
+from grounding.meaning.goal.clues import RELATION, Clue
 from grounding.meaning.goal.directing import direct
 from grounding.meaning.goal.items import Item
 from grounding.meaning.goal.lengths import ordinal
@@ -135,6 +135,8 @@ class _Listener(Memory):
             self.clues[-1] = replace(self.clues[-1], relation="between")  # "the circle's center"
         elif w.is_between(text) or w.is_middle(text):
             self.relation = "between"
+        elif w.related(text):
+            self.relation = f"{RELATION}{w.related(text)}"
         elif g.is_aligning(text):
             self.relation = "align"
         elif (w.is_touching(text) or g.is_linking(text)) and text != "against":

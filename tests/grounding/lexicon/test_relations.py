@@ -3,7 +3,10 @@
 import numpy as np
 import pytest
 
+from grounding import Grounder
+from grounding.distinguishing import Describer
 from grounding.errors import LexiconError
+from grounding.explanations import explain
 from grounding.geometry.layout import Layout
 from grounding.language.tree import from_brackets
 from grounding.lexicon import relations
@@ -20,6 +23,8 @@ OPPOSITE = '''
 """Across the table's middle from something."""
 
 import numpy as np
+
+SAID = "opposite from"
 
 
 def truth(where, scene):
@@ -67,6 +72,31 @@ def test_what_is_diagonal_lies_as_far_aside_as_ahead():
 def test_a_file_and_a_line_make_a_relation(opposite):
     with extended("relation", "opposite", "opposite"):
         assert chosen(CROSS, "(JJ opposite) (IN from)") == "far"
+
+
+def test_afterwards_things_are_put_explained_and_described_by_it(opposite):
+    world = World((
+        make_object("table", "table", "white", (0.65, 0, 0.691), size=(0.7, 1.8, 0.04)),
+        *(make_object(name, "block", colour, (x, y, 0.736)) for name, colour, x, y in (
+            ("red", "red", 0.5, 0.2), ("green", "green", 0.85, 0.35), ("b1", "blue", 0.4, -0.6),
+            ("b2", "blue", 0.9, 0.6),
+        )),
+    ))  # fmt: skip
+    grounder = Grounder.load()
+    with extended("relation", "opposite", "opposite"):
+        result = grounder.ground("put the green block opposite from the red block", world)
+        place = result.actions[0].destination
+        assert (result.actions[0].objects, place.reference) == (("green",), ("red",))
+        mirrored = 2 * grounder.scene(world).box[0] - (0.5, 0.2)
+        assert np.linalg.norm(np.array(place.position[:2]) - mirrored) < 0.06
+        moved = world.with_objects(o.moved(place.position) if o.id == "green" else o for o in world.objects)
+        again = grounder.ground("pick up the block opposite from the red block", moved)
+        assert again.actions[0].objects == ("green",)
+        text = "pick up the block opposite from the red block"
+        _, told = explain(grounder, text, moved)
+        assert "relation opposite" in str(told.to_json())
+        describer = Describer(Scene(Layout(moved)))
+        assert any("opposite from" in c.tree.text for c in describer._candidates(describer.scene.layout.index["green"]))
 
 
 def test_a_line_gives_a_relation_another_word():
