@@ -63,7 +63,7 @@ def rows_of(readers: Sequence[str]) -> tuple[Row, ...]:
     )
 
 
-class _Remembering(Parser):
+class Remembering(Parser):
     """A parser that parses every text once for all rows."""
 
     def __init__(self, parser: Parser) -> None:
@@ -88,7 +88,7 @@ def measured(
         parser: from texts to trees.
         tell: told every row as it is done.
     """
-    remembering = _Remembering(parser)
+    remembering = Remembering(parser)
     shares = {}
     for row in rows:
         grounder = Grounder(remembering, weights[row.weights](), without=row.without)

@@ -85,8 +85,13 @@ def _within(evaluator: Evaluates, mask: np.ndarray, spot: place.Spot) -> Array:
 
 def _centre(evaluator: Evaluates, condition: Condition, base: Array) -> Held:
     """In the middle of several: the middle one of them, or what lies between them."""
-    whole = evaluator.denote(condition.of[0], base)
-    member = whole.weights * whole.truth
+    part = next((c for c in condition.of[0].conditions if c.concept == "part"), None)
+    if part is None:
+        whole = evaluator.denote(condition.of[0], base)
+        member = whole.weights * whole.truth
+    else:
+        held = _part(evaluator, part, base)
+        member = held.truth * held.preference
     amid = between.amid(evaluator.where, evaluator.scene, _parts(evaluator, condition.of[1:], base), surrounding=False)
     return plain(np.maximum(member, amid))
 

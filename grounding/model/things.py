@@ -174,7 +174,9 @@ def _several(evaluator: Evaluates, referent: Referent, case: Case, pool: Array, 
     orders: list[Order] = orders_of(
         evaluator, referent.conditions, Pool(pool), kind, several=referent.number is not None
     )
-    first = first_of(orders, pool, referent.number) if referent.number else None
+    within = bool(scene.stacked[pool > 0.3].all())  # of a stack every block may be meant
+    salient = pool if within else pool * scene.salience
+    first = first_of(orders, salient, referent.number) if referent.number else None
     if first is not None:
         found = [arrangement.Candidate(first, 1.0, "ranked")]
     else:
