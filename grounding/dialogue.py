@@ -135,7 +135,7 @@ def _without_place(text: str, actions: Sequence[GroundedAction], belief: Belief)
     """What is told where it is plain what is to be placed, and no place was found."""
     if leads_off_table(belief, actions[0].objects):
         return Grounding(text, "no_referent", explanation=_OFF_TABLE)
-    said = where_to(belief)
+    said = where_to(belief, actions[0].objects)
     if said:
         return Grounding(text, "no_referent", explanation=f"there is no free place {said!r}")
     why = "where to is open: say where to put it, such as on, beside or behind something"

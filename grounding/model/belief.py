@@ -144,7 +144,7 @@ def read(
             continue
         for view, form in views(parse.tree, scene):
             evaluator = evaluators.setdefault(view, Evaluator(scene, view, handled, weights))
-            cases = evaluator.cases(told.target)
+            cases = evaluator.candidates(told.target)
             nothing = Case(1, np.ones(1))
             within = evaluator.truth_within(told.target)
             goal = _goal(told, evaluator)

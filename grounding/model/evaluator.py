@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 
 from grounding.lexicon import arrangement, colour, place
 from grounding.lexicon.where import Where
+from grounding.meaning.notation import write_referent
 from grounding.meaning.referents import OBJECTS, PERSON, PLACE, SETS, Condition, Referent, Region
 from grounding.model.arranging import arrangement_cases, conjoined_cases
 from grounding.model.cases import Case, Denotation, Weights, combined
@@ -39,6 +41,8 @@ class Evaluator:
         self.weights = weights
         self.where = Where.objects(scene)
         self._kept: dict[tuple[int, bytes, bool], tuple[Referent, Denotation]] = {}
+        self._alike: dict[tuple[str, bytes, bool], Denotation] = {}
+        self._candidates: dict[str, tuple[Case, ...]] = {}
         self._arranged: dict[tuple[tuple[str, ...], bytes, int | None], tuple[arrangement.Candidate, ...]] = {}
 
     def spot(self, region: Region) -> place.Spot:
@@ -56,7 +60,7 @@ class Evaluator:
         return self._arranged[key]
 
     def denote(self, referent: Referent, base: Array | None = None, *, carrying: bool = False) -> Denotation:
-        """What a referent means.
+        """What a referent means; parses differ in trees more than in meanings, and what means the same is found once.
 
         Args:
             referent: of a text.
@@ -64,10 +68,22 @@ class Evaluator:
             carrying: whether it is spoken of because of what it carries.
         """
         alike = base if referent.like else None
-        key = (id(referent), b"" if alike is None else alike.tobytes(), carrying)
+        said = b"" if alike is None else alike.tobytes()
+        key = (id(referent), said, carrying)
         if key not in self._kept:
-            self._kept[key] = (referent, self._denote(referent, alike, carrying=carrying))
+            meant = (write_referent(referent), said, carrying)
+            if meant not in self._alike:
+                self._alike[meant] = self._denote(referent, alike, carrying=carrying)
+            self._kept[key] = (referent, self._alike[meant])
         return self._kept[key][1]
+
+    def candidates(self, referent: Referent) -> list[Case]:
+        """All that a referent of things may mean, as cases of one's own to which more can be noted."""
+        meant = write_referent(referent)
+        if meant not in self._candidates:
+            self._candidates[meant] = tuple(self.cases(referent))
+        return [replace(case, scalars=dict(case.scalars), columns=dict(case.columns))
+                for case in self._candidates[meant]]  # fmt: skip
 
     def cases(self, referent: Referent, base: Array | None = None, *, carrying: bool = False) -> list[Case]:
         """All that a referent of things may mean."""

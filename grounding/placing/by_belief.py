@@ -7,7 +7,7 @@ from grounding.lexicon import words as w
 from grounding.meaning.goal.units import in_spaces
 from grounding.model.belief import Belief, Reading
 from grounding.model.phrases import reader_of
-from grounding.placing.spots import FoundSpot, agreed, find_spot, leads_off
+from grounding.placing.spots import FoundSpot, agreed, find_spot, leads, leads_off
 from grounding.result import Destination
 from grounding.world.scene import Scene
 
@@ -58,11 +58,14 @@ def leads_off_table(belief: Belief, objects: tuple[str, ...]) -> bool:
     return leads_off(_pieces(reading), source, reader_of(reading))
 
 
-def where_to(belief: Belief) -> str:
+def where_to(belief: Belief, objects: tuple[str, ...]) -> str:
     """The words by which the likeliest reading tells where to, without the verb; "" where it tells nothing."""
-    told = _telling(belief)
-    pieces = [piece for piece in told[0][0].told.destination if piece.phrases] if told else []
-    return " ".join(piece.text for piece in pieces)
+    source = _source(belief, objects)
+    if source is None:
+        return ""
+    reading = _telling(belief)[0][0]
+    pieces = [piece for piece in reading.told.destination if piece.phrases]
+    return " ".join(piece.text for piece in pieces) if leads(pieces, source, reader_of(reading)) else ""
 
 
 def _telling(belief: Belief) -> list[tuple[Reading, float]]:

@@ -71,6 +71,8 @@ def agreement(g: GroundedClue, places: Places, source: int, plan: FloorPlan, rea
             return maps.in_line(g.clue, g.anchors, points)
         case "in":
             return maps.inside(g.clue, g.anchors, points)
+        case "apart":
+            return maps.leaving(plan.points[source], g.anchors, points)
         case "toward":
             return maps.approaching(plan.points[source], g.anchors, points)
     return maps.next_to(places, plan, g.anchors, g.clue.relation == "touch")

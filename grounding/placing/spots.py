@@ -73,6 +73,13 @@ def find_spot(
     return found
 
 
+def leads(phrases: Iterable[Phrase], source: int, reader: PhraseReader) -> bool:
+    """Tells whether words for where to say anything, whether or not there is room."""
+    plan = lay_out(reader.scene, reader.view)
+    grounded = (ground_clue(clue, source, plan, reader) for clue in listen(line_up(phrases)))
+    return any(g is not None and _tells_where(g.clue, source, plan) for g in grounded)
+
+
 def leads_off(phrases: Iterable[Phrase], source: int, reader: PhraseReader) -> bool:
     """Tells whether a way is told, with its lengths, that ends where there is no table."""
     plan = lay_out(reader.scene, reader.view)
@@ -180,7 +187,7 @@ def _reference(grounded: list[GroundedClue], held: list[Array], at: int) -> tupl
         if g.anchors is None or g.clue.relation == "toward":
             continue
         best = int(np.argmax(single[at] * g.anchors.share))
-        if g.clue.relation.startswith(RELATION):
+        if g.clue.relation == "apart" or g.clue.relation.startswith(RELATION):
             return None, g.anchors.members[best]
         names = [n for offset in g.clue.offsets for n in offset.names]
         flat = {"up": "back", "down": "front"}.get(names[0], names[0]) if len(set(names)) == 1 else "near"

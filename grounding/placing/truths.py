@@ -48,6 +48,9 @@ def truths(
         elif relation in ("near", "touch"):
             reach = nearness.TOUCHING if relation == "touch" else nearness.BESIDE
             found[:, h] = nearness.truth(where.gaps[:, chosen], scene.edge, reach).max(axis=1) * flat
+        elif relation == "apart":
+            near = nearness.truth(where.gaps[:, chosen], scene.edge, nearness.APART)
+            found[:, h] = 1.0 - near.max(axis=1) * flat
         elif relation.startswith(RELATION):
             found[:, h] = module(relation.removeprefix(RELATION)).truth(where, scene)[:, chosen].max(axis=1) * flat
         else:

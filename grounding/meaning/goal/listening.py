@@ -131,12 +131,15 @@ class _Listener(Memory):
 
     def _relate(self, place: int, text: str) -> None:
         """Take in a word that sets what is named next in a relation."""
+        following_from = self._plain(place + 1) and self.items[place + 1].text == "from"
         if w.is_middle(text) and not self.offsets and not self.since and self._in_arrangement():
             self.clues[-1] = replace(self.clues[-1], relation="between")  # "the circle's center"
         elif w.is_between(text) or w.is_middle(text):
             self.relation = "between"
         elif w.related(text):
             self.relation = f"{RELATION}{w.related(text)}"
+        elif w.is_apart([text]) and following_from and self.number is None and not self.offsets:
+            self.relation = "apart"
         elif g.is_aligning(text):
             self.relation = "align"
         elif (w.is_touching(text) or g.is_linking(text)) and text != "against":
