@@ -38,8 +38,8 @@ class Clue:
 
     Attributes:
         relation: "own", from where it stands; "offset", from the references; "on" one of them; "near"; "touch";
-            "between"; "align", in a row or column with them; "in" a set of them; "toward"; "apart" from them; "place", of
-            the table; "surface", on the table; "tower", on anything; "make", so that an arrangement comes about; or
+            "between"; "align", in a row or column with them; "in" a set of them; "toward"; "apart" from them; "place",
+            of the table; "surface", on the table; "tower", on anything; "make", so that an arrangement comes about; or
             `RELATION` with the name of a relation.
         nouns: what it relates to; none for what stands by itself.
         offsets: directions and lengths from there.
