@@ -15,6 +15,7 @@ import numpy as np
 from grounding.built_phrases import modified, modifier, noun_phrase
 from grounding.describing import name_object
 from grounding.language.tree import Phrase, Word
+from grounding.lexicon.person import distance_from
 from grounding.lexicon.relations import said
 from grounding.model.cases import Weights
 from grounding.model.evaluator import EVEN, Evaluator
@@ -77,7 +78,8 @@ class Describer:
         views = [ROBOT] if scene.layout.world.speaker is None else [ROBOT, SPEAKER]
         self._readers = [PhraseReader(Evaluator(scene, view, weights=weights)) for view in views]
         self._worth: dict[str, Array] = {}
-        self._named: dict[int, str] = {}
+        self._orders: dict[str, Array] = {}
+        self._arranged: list[tuple[np.ndarray, Phrase]] | None = None
 
     def describe(self, name: str, among: Sequence[str] = ()) -> Description:
         """The best description of a thing.
@@ -124,15 +126,16 @@ class Describer:
         """Noun phrases that may be true of a thing, the plainer ones first."""
         noun = self._noun(index)
         yield _Candidate(noun_phrase(f"the {noun}"), noun, 0.0)
-        for cost, words in self._extremes():
+        alike = self._alike(index)
+        for cost, words in self._extremes(index, alike):
             yield _Candidate(noun_phrase(f"the {words} {noun}"), noun, cost)
         bare = noun_phrase(f"the {noun}")
-        for cost, words in self._places(index):
+        for cost, words in self._places(index, alike):
             yield _Candidate(modified(bare, modifier(words)), noun, cost)
         for cost, relation in self._relations(index):
             yield _Candidate(modified(bare, relation), noun, cost)
         yield from self._within(index, noun)
-        for cost, words in self._ordinals():
+        for cost, words in self._ordinals(index, alike):
             yield _Candidate(noun_phrase(f"the {words} {noun}"), noun, cost)
 
     def _noun(self, index: int) -> str:
@@ -141,27 +144,57 @@ class Describer:
         coloured = len(self.scene.layout.colors) > 1 and item.color != "unknown"
         return f"{item.color} {item.type}" if coloured else item.type
 
-    def _extremes(self) -> Iterator[tuple[float, str]]:
+    def _alike(self, index: int) -> np.ndarray:
+        """The things that a thing's noun is true of as well, boolean (n,)."""
+        item, layout = self.scene.layout.things[index], self.scene.layout
+        return self.scene.members(layout.matching(item.type, item.color if " " in self._noun(index) else None))
+
+    def _keys(self) -> dict[str, Array]:
+        """What ranks are counted by, larger first, by their words."""
+        if not self._orders:
+            left = {who: self.scene.xy @ self.scene.direction("left", who) for who in (ROBOT, SPEAKER)}
+            away = {who: distance_from(self.scene, who) for who in (ROBOT, SPEAKER)}
+            self._orders.update({
+                "leftmost": left[ROBOT], "rightmost": -left[ROBOT], "nearest": -away[ROBOT], "farthest": away[ROBOT],
+                "from my left": left[SPEAKER], "from my right": -left[SPEAKER],
+                "closest to me": -away[SPEAKER], "closest to you": -away[ROBOT],
+                "farthest to me": away[SPEAKER], "farthest to you": away[ROBOT],
+            })  # fmt: skip
+        return self._orders
+
+    def _place(self, index: int, words: str, among: np.ndarray) -> int:
+        """How many of some things come before a thing, where they are counted by some words."""
+        key = self._keys()[words]
+        return int((among & (key > key[index])).sum())
+
+    def _extremes(self, index: int, among: np.ndarray) -> Iterator[tuple[float, str]]:
+        """Extremes that a thing may be; of those among which one other comes before it at most."""
         if len(self._readers) == 1:
-            yield from ((0.05, f"{side}most") for side in ("left", "right"))
-            yield from ((0.05, word) for word in ("nearest", "farthest"))
+            words = ("leftmost", "rightmost", "nearest", "farthest")
+            yield from ((0.05, word) for word in words if self._place(index, word, among) < 2)
         yield 0.08, "middle"
 
-    def _ordinals(self) -> Iterator[tuple[float, str]]:
-        words = ("nearest", "farthest") if len(self._readers) > 1 else ("leftmost", "rightmost", "nearest", "farthest")
-        for place, rank in enumerate(_RANKS):
-            yield from ((0.3 + 0.1 * place, f"{rank} {word}") for word in words)
+    def _ranks(self, index: int, words: str, among: np.ndarray, cost: float) -> Iterator[tuple[float, str]]:
+        """Ranks that a thing may have by some words, each with what it costs to say."""
+        place = self._place(index, words, among)
+        for number in range(max(place - 2, 0), min(place + 1, len(_RANKS))):
+            yield cost + 0.1 * number, _RANKS[number]
 
-    def _places(self, index: int) -> Iterator[tuple[float, str]]:
+    def _ordinals(self, index: int, among: np.ndarray) -> Iterator[tuple[float, str]]:
+        words = ("nearest", "farthest") if len(self._readers) > 1 else ("leftmost", "rightmost", "nearest", "farthest")
+        for word in words:
+            yield from ((cost, f"{rank} {word}") for cost, rank in self._ranks(index, word, among, 0.3))
+
+    def _places(self, index: int, among: np.ndarray) -> Iterator[tuple[float, str]]:
         if len(self._readers) == 1:
             yield from ((0.07, words) for words in _SIDES.values())
         else:  # whose left it is has to be said where people face each other
-            yield from ((0.05, f"{word} to {who}") for word in ("closest", "farthest") for who in ("me", "you"))
+            ends = (f"{word} to {who}" for word in ("closest", "farthest") for who in ("me", "you"))
+            yield from ((0.05, words) for words in ends if self._place(index, words, among) < 2)
             yield from ((0.06, f"on my {side}") for side in ("left", "right"))
             yield from ((0.2, f"farthest to my {side}") for side in ("left", "right"))
-            for place, rank in enumerate(_RANKS):
-                yield from ((0.35 + 0.1 * place, f"{rank} from my {side}") for side in ("left", "right"))
-                yield from ((0.35 + 0.1 * place, f"{rank} closest to {who}") for who in ("me", "you"))
+            for words in ("from my left", "from my right", "closest to me", "closest to you"):
+                yield from ((cost, f"{rank} {words}") for cost, rank in self._ranks(index, words, among, 0.35))
         yield 0.15, "in the middle of the table"
         if len(self._readers) == 1:
             corners = [f"{depth} {side}" for depth in ("front", "back") for side in ("left", "right")]
@@ -187,36 +220,41 @@ class Describer:
             reference = self._landmark(other)
             if reference is not None:
                 yield from ((0.25, modifier(word, reference)) for word in said())
-        for outside, name in self._arrangements(index):
-            if outside:
+        for mask, name in self._arrangements():
+            if not mask[index]:
                 yield from ((0.14 + 0.05 * len(name.phrases), modifier(word, name)) for word in relations)
             else:
                 yield 0.12, modifier("in", name)
 
     def _within(self, index: int, noun: str) -> Iterator[_Candidate]:
         """Places in an arrangement: "the middle block in the row of five"."""
-        ranks = [word for _, word in self._ordinals()]
-        words = ["middle", *(word for _, word in self._extremes()), "top", "bottom", *ranks]
-        for outside, name in self._arrangements(index):
-            if not outside:
-                for place, word in enumerate(dict.fromkeys(words)):
-                    cost = 0.2 + 0.02 * place + 0.05 * len(name.phrases)
-                    yield _Candidate(modified(noun_phrase(f"the {word} {noun}"), modifier("in", name)), noun, cost)
+        alike = self._alike(index)
+        for mask, name in self._arrangements():
+            among = alike & mask
+            if not mask[index]:
+                continue
+            ranks = [word for _, word in self._ordinals(index, among)]
+            words = ["middle", *(word for _, word in self._extremes(index, among)), "top", "bottom", *ranks]
+            for place, word in enumerate(dict.fromkeys(words)):
+                cost = 0.2 + 0.02 * place + 0.05 * len(name.phrases)
+                yield _Candidate(modified(noun_phrase(f"the {word} {noun}"), modifier("in", name)), noun, cost)
 
-    def _arrangements(self, index: int) -> list[tuple[bool, Phrase]]:
-        """Arrangements that their kind or number singles out, and whether a thing is outside of them."""
-        layout, found = self.scene.layout, []
-        for kind in ("tower", "row", "column", "circle"):
-            evident = layout.prominent(a for a in layout.arrangements if a.kind == kind and a.evident)
-            counts = [a.count for a in evident]
-            for a in evident:
-                if counts.count(a.count) == 1 and a.count <= _LARGEST:
-                    outside, name = not a.mask >> index & 1, noun_phrase(f"the {kind}")
-                    if len(evident) == 1:
-                        found.append((outside, name))
-                    members = Phrase("NP", (Word(spelled(a.count), "CD", 0), Word("blocks", "NNS", 1)))
-                    found.append((outside, modified(name, modifier("of", members))))
-        return found
+    def _arrangements(self) -> list[tuple[np.ndarray, Phrase]]:
+        """Arrangements that their kind or number singles out: their members, boolean (n,), and what they are called."""
+        if self._arranged is None:
+            layout, found = self.scene.layout, []
+            for kind in ("tower", "row", "column", "circle"):
+                evident = layout.prominent(a for a in layout.arrangements if a.kind == kind and a.evident)
+                counts = [a.count for a in evident]
+                for a in evident:
+                    if counts.count(a.count) == 1 and a.count <= _LARGEST:
+                        mask, name = self.scene.members(a.mask), noun_phrase(f"the {kind}")
+                        if len(evident) == 1:
+                            found.append((mask, name))
+                        members = Phrase("NP", (Word(spelled(a.count), "CD", 0), Word("blocks", "NNS", 1)))
+                        found.append((mask, modified(name, modifier("of", members))))
+            self._arranged = found
+        return self._arranged
 
     def _landmark(self, index: int) -> Phrase | None:
         """A thing that its colour alone singles out."""

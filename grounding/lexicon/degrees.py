@@ -63,12 +63,27 @@ def counting(chances: Array, most: int) -> Array:
         chances: of every coin, shape (n, m).
         most: counts below this are told.
     """
-    counts = np.zeros((len(chances), most))
-    counts[:, 0] = 1.0
-    for p in chances.T[:, :, None]:
-        counts[:, 1:] = counts[:, 1:] * (1 - p) + counts[:, :-1] * p
-        counts[:, :1] *= 1 - p
-    return counts
+    if not chances.shape[1]:
+        return np.eye(1, most).repeat(len(chances), axis=0)
+    counts = [1.0 - chances, chances][:most]
+    while counts[0].shape[1] > 1:  # halves the coins by taking two and two together
+        odd = [count[:, -1:] for count in counts] if counts[0].shape[1] % 2 else []
+        even, other = [c[:, 0 : c.shape[1] & ~1 : 2] for c in counts], [c[:, 1::2] for c in counts]
+        taken = [_convolved(even, other, k) for k in range(min(2 * len(counts) - 1, most))]
+        counts = [np.hstack([c, _of(odd, k, c)]) if odd else c for k, c in enumerate(taken)]
+    found = np.zeros((len(chances), most))
+    for k, count in enumerate(counts):
+        found[:, k] = count[:, 0]
+    return found
+
+
+def _convolved(one: list[Array], other: list[Array], k: int) -> Array:
+    pairs = range(max(0, k - len(other) + 1), min(k, len(one) - 1) + 1)
+    return np.asarray(sum(one[i] * other[k - i] for i in pairs))
+
+
+def _of(counts: list[Array], k: int, like: Array) -> Array:
+    return counts[k] if k < len(counts) else np.zeros((len(like), 1))
 
 
 def at_least(chances: Array, count: int) -> Array:
