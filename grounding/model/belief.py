@@ -261,6 +261,8 @@ def believe(readings: Sequence[Reading], weights: Weights) -> Belief:
         worth.append(total)
     whole = sum(shares.values())
     order = sorted(range(len(readings)), key=lambda i: -worth[i])
-    options = sorted(((names, share / whole) for names, share in shares.items()), key=lambda item: (-item[1], item[0]))
+    misheard = weights.misheard
+    told = {names: (1 - misheard) * share / whole + misheard / len(shares) for names, share in shares.items()}
+    options = sorted(told.items(), key=lambda item: (-item[1], item[0]))
     ranked = {names: tuple(sorted(of.items(), key=lambda item: (-item[1], item[0]))) for names, of in kinds.items()}
     return Belief(tuple(options), tuple(readings[i] for i in order), tuple(worth[i] / whole for i in order), ranked)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
@@ -9,6 +10,9 @@ import numpy as np
 
 from grounding.lexicon.place import Spot
 from grounding.world import Array
+
+MISHEARD = "misheard"
+"""The name under which weights keep the log-odds that a text means something else than what was read of it."""
 
 
 class Weights(dict[str, float]):
@@ -22,6 +26,11 @@ class Weights(dict[str, float]):
         """The weight of a feature."""
         found = dict.get(self, name)
         return equal(name) if found is None else found
+
+    @property
+    def misheard(self) -> float:
+        """How often a text means something else than what was read of it, so that any option is as likely."""
+        return 1.0 / (1.0 + math.exp(-self[MISHEARD])) if MISHEARD in self else 0.0
 
 
 def equal(name: str) -> float:

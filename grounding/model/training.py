@@ -12,10 +12,12 @@ from scipy.optimize import minimize
 
 from grounding.lexicon.parameters import value
 from grounding.model.belief import Objects, Reading, rows_of
-from grounding.model.cases import Case, Weights
+from grounding.model.cases import MISHEARD, Case, Weights
 from grounding.world import Array
 
 ROUNDS = 200
+SELDOM = -3.0
+"""Log-odds from which is learned how often a text is misheard."""
 _DEGREES = frozenset("T P R best looks shadow shadowed number parse within fit spread".split())
 
 
@@ -46,6 +48,7 @@ class Problem:
         groups: the text of every group.
         texts: number of texts.
         weights: of the texts.
+        options: how many things each text may mean.
         lost: how many texts were left out, as no reading finds what they mean.
     """
 
@@ -57,6 +60,7 @@ class Problem:
     groups: np.ndarray
     texts: int
     weights: Array
+    options: Array
     lost: int
 
 
@@ -77,6 +81,7 @@ class _Builder:
         self.groups: list[int] = []
         self.shares: list[float] = []
         self.weights: list[float] = []
+        self.options: list[int] = []
         self.count = 0
         self.lost = 0
 
@@ -89,6 +94,7 @@ class _Builder:
             return
         number = len(self.weights)
         self.weights.append(example.weight)
+        self.options.append(len(present))
         groups = {names: len(self.groups) + place for place, names in enumerate(found)}
         self.groups += [number] * len(found)
         self.shares += [1.0 / len(found)] * len(found)
@@ -138,7 +144,8 @@ class _Builder:
         data = np.concatenate([part[2] for part in self.parts])
         matrix = sparse.csr_matrix((data, indices, indptr), shape=(self.count, len(self.index)))
         return Problem(tuple(self.index), matrix, np.array(self.text), np.array(self.gold), np.array(self.shares),
-                       np.array(self.groups), len(self.weights), np.array(self.weights), self.lost)  # fmt: skip
+                       np.array(self.groups), len(self.weights), np.array(self.weights),
+                       np.array(self.options, dtype=float), self.lost)  # fmt: skip
 
 
 def train(
@@ -147,13 +154,16 @@ def train(
 ) -> Weights:
     """Weights under which the texts mean what they mean, by L-BFGS with an L2 penalty towards a prior.
 
+    A text may mean something else than what was read of it, then any option is as likely; how often is learned as well
+    (`Weights.misheard`), so that a few such texts do not bend the weights, and answers are not too sure.
+
     Args:
         problem: the candidates.
         prior: weights from which the penalty measures.
         penalty: its strength.
         progress: told the round and the loss.
     """
-    start = np.array([prior.get(name) for name in problem.names])
+    start = np.array([*(prior.get(name) for name in problem.names), SELDOM])
     rounds = 0
 
     def loss(w: Array) -> tuple[float, Array]:
@@ -167,11 +177,11 @@ def train(
         if progress is not None:
             progress(rounds, 0.0)
 
-    bounds = [bound(name) for name in problem.names]
+    bounds = [*(bound(name) for name in problem.names), (None, 0.0)]
     found = minimize(
         loss, start, jac=True, method="L-BFGS-B", bounds=bounds, callback=tell, options={"maxiter": ROUNDS}
     )
-    return Weights({name: float(value) for name, value in zip(problem.names, found.x, strict=True)})
+    return Weights({name: float(value) for name, value in zip((*problem.names, MISHEARD), found.x, strict=True)})
 
 
 def bound(name: str) -> tuple[float | None, float | None]:
@@ -186,8 +196,9 @@ def bound(name: str) -> tuple[float | None, float | None]:
 
 
 def _likelihood(problem: Problem, w: Array) -> tuple[float, Array]:
-    """Negative log likelihood of what the texts mean, and its gradient."""
-    scores = problem.rows @ w
+    """Negative log likelihood of what the texts mean, and its gradient; the last of w is for what was misheard."""
+    misheard = 1.0 / (1.0 + np.exp(-w[-1]))
+    scores = problem.rows @ w[:-1]
     most = np.full(problem.texts, -np.inf)
     np.maximum.at(most, problem.text, scores)
     raised = np.exp(scores - most[problem.text])
@@ -195,10 +206,14 @@ def _likelihood(problem: Problem, w: Array) -> tuple[float, Array]:
     row, group = problem.gold.T
     meant = np.bincount(group, raised[row], minlength=len(problem.groups))
     importance = problem.shares * problem.weights[problem.groups]
-    value = -float(importance @ (np.log(np.maximum(meant, 1e-300)) - np.log(whole[problem.groups])))
-    pull = (problem.weights / whole)[problem.text] * raised
-    np.subtract.at(pull, row, importance[group] * raised[row] / np.maximum(meant[group], 1e-300))
-    return value, np.asarray(problem.rows.T @ pull)
+    heard, by_chance = meant / whole[problem.groups], 1.0 / problem.options[problem.groups]
+    likely = np.maximum((1.0 - misheard) * heard + misheard * by_chance, 1e-300)
+    value = -float(importance @ np.log(likely))
+    told = importance * (1.0 - misheard) * heard / likely  # how much each text has to say of the weights
+    pull = (np.bincount(problem.groups, told, minlength=problem.texts) / whole)[problem.text] * raised
+    np.subtract.at(pull, row, told[group] * raised[row] / np.maximum(meant[group], 1e-300))
+    doubt = -float(importance @ ((by_chance - heard) / likely)) * misheard * (1.0 - misheard)
+    return value, np.append(np.asarray(problem.rows.T @ pull), doubt)
 
 
 
