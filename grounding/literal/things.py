@@ -46,6 +46,7 @@ if TYPE_CHECKING:
 
 WITHIN = 3.0  # what is at most so many edges away may be called near where nothing is nearer
 _SOME = frozenset("the those these both all".split())  # "three red ones" are any three
+_OWN = ("its", "their")
 _LINES = ("row", "column", "tower")
 
 
@@ -73,7 +74,8 @@ def mean_things(reader: LiteralReader, noun: Noun, base: int | None = None) -> M
         Missing: there is nothing of the kind.
     """
     bare = noun.head == "other" and not (noun.modifiers or noun.colors)
-    if bare or noun.strange or says_unknown(noun) or noun.size:
+    owned = noun.text.split(" ", 1)[0] in _OWN  # "its nearest block" is near to what was spoken of
+    if bare or owned or noun.strange or says_unknown(noun) or noun.size:
         raise Unread(noun.text)
     if noun.plural and noun.number is None and "both" in noun.text.split():
         noun = replace(noun, number=2)

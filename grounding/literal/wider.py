@@ -22,7 +22,7 @@ from grounding.meaning.reading import Context
 from grounding.model.evaluator import Evaluator
 from grounding.world.scene import ROBOT, Scene
 
-HELD = 0.2
+HELD = 0.25
 """What is worth less holds of nothing in any sense of the words."""
 CLOSE = 1.6  # centres of blocks of which one seems to stand on the next are at most so many edges apart
 AHEAD = 0.4  # to the line of sight at most, of what seems stacked [rad]
