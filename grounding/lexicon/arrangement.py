@@ -102,7 +102,8 @@ def _shapes(scene: Scene, kinds: tuple[str, ...], flat: np.ndarray) -> list[Cand
             continue
         form = "ring" if a.kind == "circle" else "slanted" if slanted else "pair" if a.count == 2 else "line"
         form += ".evident" if a.evident else ""
-        odd = 0.5 if slanted and not diagonal else 0.35 if a.count == 2 else 1.0
+        name = "askew" if slanted and not diagonal else "pair" if a.count == 2 else ""
+        odd = value(f"arrangement.{name}") if name else 1.0
         found.append(Candidate(scene.members(a.mask), odd * looks(a), form, odd * max(a.prominence, 0.05)))
     return found
 
@@ -120,7 +121,8 @@ def bands(scene: Scene, wanted: np.ndarray, kind: str) -> list[Candidate]:
         for mask in partition(scene, wanted, kind, gap):
             spread = float(np.ptp(scene.xy[mask, axis])) / scene.edge
             deep = math.exp(-0.5 * (spread / value("arrangement.band")) ** 2)
-            found.append(Candidate(mask, (0.35 if mask.sum() > 1 else 0.15) * deep, "band"))
+            held = value("arrangement.counted_band") if mask.sum() > 1 else value("arrangement.counted_one")
+            found.append(Candidate(mask, held * deep, "band"))
     return found
 
 
@@ -174,20 +176,21 @@ def together(found: Sequence[Candidate], number: int | None) -> list[Candidate]:
 
 def collected(scene: Scene, weights: Array, number: int | None, universal: bool) -> list[Candidate]:
     """What a plural may mean: all that match, of a number those that lie together."""
-    likely = weights > 0.4 * max(float(weights.max(initial=0.0)), 1e-6)
+    likely = weights > value("plural.likely") * max(float(weights.max(initial=0.0)), 1e-6)
     count = int(likely.sum())
     if not count:
         return []
     everything = Candidate(likely, 1.0, "all")
     if number is None or (universal and count == number):
-        more = [] if universal else [c._replace(looks=0.5 * c.looks) for c in clusters(scene, likely)]
-        return [everything, *more]
+        lying = () if universal else clusters(scene, likely)
+        return [everything, *(c._replace(looks=value("plural.cluster") * c.looks) for c in lying)]
     if count == number:
         return [everything]
     if count > number:
         found = _of_number(scene, weights, likely, number)
     else:
-        found = [everything._replace(looks=0.1 * math.exp(count - number)), *_stretched(scene, weights, number)]
+        fewer = everything._replace(looks=value("plural.fewer") * math.exp(count - number))
+        found = [fewer, *_stretched(scene, weights, number)]
     return sorted(found, key=lambda c: -c.looks)[:_MOST]
 
 
@@ -196,10 +199,10 @@ def _of_number(scene: Scene, weights: Array, likely: np.ndarray, number: int) ->
     found = [c for c in clusters(scene, likely) if int(c.mask.sum()) == number]
     for a in scene.arrangements(likely):
         if a.count == number and a.kind in ("row", "column", "circle"):
-            found.append(Candidate(scene.members(a.mask), 0.4 * looks(a), "line"))
+            found.append(Candidate(scene.members(a.mask), value("plural.line") * looks(a), "line"))
     order = np.argsort(-weights, kind="stable")[: number + 1]
     chosen, following = float(weights[order[:number]].mean()), float(weights[order[number]])
-    first = Candidate(_mask(scene, order[:number]), max(0.15 * chosen, chosen - following), "first")
+    first = Candidate(_mask(scene, order[:number]), max(value("plural.first") * chosen, chosen - following), "first")
     return [*found, first]
 
 
@@ -209,7 +212,7 @@ def _stretched(scene: Scene, weights: Array, number: int) -> list[Candidate]:
     share = float(weights[order].min()) / peak(weights)
     if len(order) < number or share <= 0:
         return []
-    return [Candidate(_mask(scene, order), max(math.sqrt(share), 0.12), "stretched")]
+    return [Candidate(_mask(scene, order), max(math.sqrt(share), value("plural.stretched")), "stretched")]
 
 
 def _mask(scene: Scene, members: np.ndarray) -> np.ndarray:
