@@ -20,7 +20,7 @@ from grounding.language.tree import Phrase
 from grounding.lexicon.colour import taken_for
 from grounding.literal import SILENT, LiteralBelief, believe_literally
 from grounding.meaning.discourse.told import Told
-from grounding.model.belief import Belief, Option, read
+from grounding.model.belief import Belief, Option, Seen, read
 from grounding.model.belief import Reading as Meant
 from grounding.model.belief import believe as weigh
 from grounding.model.cases import Learned, Weights
@@ -181,6 +181,7 @@ class Grounder:
         self.parses = parses
         self.without = frozenset(without)
         self._scenes: OrderedDict[int, tuple[World, Scene]] = OrderedDict()
+        self._known: OrderedDict[int, tuple[Scene, dict[Seen, Evaluator]]] = OrderedDict()
 
     @property
     def weights(self) -> Weights:
@@ -263,12 +264,21 @@ class Grounder:
 
     def hear(self, parses: Sequence[Parse], scene: Scene, history: Sequence[str] = ()) -> Heard:
         """Read parses in every way, before it is weighed what is meant; for learning the weights as well."""
-        meanings = read(parses, scene, history, self.learned.referring)
+        meanings = read(parses, scene, history, self.learned.referring, self._evaluators(scene))
         literal = SILENT
         if "literal" not in self.without:
             literal = believe_literally(parses, scene, weigh(meanings, self.learned.referring), history)
         found = () if "meanings" in self.without else meanings
         return Heard(literal, with_opinions(found, (opinion_of(literal),), Evaluator(scene), Told()))
+
+    def _evaluators(self, scene: Scene) -> dict[Seen, Evaluator]:
+        """What was found out about a scene for texts before; of the latest scenes."""
+        key = id(scene)
+        known = self._known.setdefault(key, (scene, {}))[1]
+        self._known.move_to_end(key)
+        if len(self._known) > KEPT_SCENES:
+            self._known.popitem(last=False)
+        return known
 
     def layout(self, world: World) -> Layout:
         """The world, measured; the latest ones are kept."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import MutableMapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -29,6 +29,8 @@ NOTHING: tuple[str, ...] = ()
 """The option that nothing here is meant."""
 
 Objects = tuple[str, ...]
+Seen = tuple[str, tuple[int, ...]]
+"""Whose view, and the indices of what was handled before."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -122,8 +124,9 @@ NO_BELIEF = Belief((), (), (), {})
 
 
 def read(
-    parses: Sequence[Parse], scene: Scene, history: Sequence[str] = (), weights: Weights = EVEN
-) -> tuple[Reading, ...]:
+    parses: Sequence[Parse], scene: Scene, history: Sequence[str] = (), weights: Weights = EVEN,
+    known: MutableMapping[Seen, Evaluator] | None = None,
+) -> tuple[Reading, ...]:  # fmt: skip
     """Read every likely parse with every view.
 
     Args:
@@ -131,9 +134,11 @@ def read(
         scene: the world.
         history: ids of the objects handled before, the latest last.
         weights: of features, for what is spoken of on the way.
+        known: evaluators of the same scene and weights from texts before, to which those of this text are added.
     """
     index = scene.layout.index
     handled = tuple(index[name] for name in history if name in index)
+    known = {} if known is None else known
     evaluators: dict[str, Evaluator] = {}
     found = []
     for place, parse in enumerate(parses):
@@ -143,7 +148,10 @@ def read(
         if told.target is None:
             continue
         for view, form in views(parse.tree, scene):
-            evaluator = evaluators.setdefault(view, Evaluator(scene, view, handled, weights))
+            if view not in evaluators:
+                seen = known.setdefault((view, handled), Evaluator(scene, view, handled, weights))
+                evaluators[view] = seen.renewed()
+            evaluator = evaluators[view]
             cases = evaluator.candidates(told.target)
             nothing = Case(1, np.ones(1))
             within = evaluator.truth_within(told.target)

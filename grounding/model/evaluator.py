@@ -17,6 +17,8 @@ from grounding.model.things import thing_cases
 from grounding.world import Array
 from grounding.world.scene import ROBOT, Scene
 
+KEPT = 4000
+"""An evaluator that has found so many meanings forgets them."""
 EVEN = Weights({"set": 1.0, "looks": 1.0, "number": 1.0, "shadow": 1.0, "parse": 0.5, "parse.long": 0.3, "buried": -2.3,
                 "stacked": -1.0})  # fmt: skip
 """Equal weights for all concepts."""
@@ -44,6 +46,15 @@ class Evaluator:
         self._alike: dict[tuple[str, bytes, bool], Denotation] = {}
         self._candidates: dict[str, tuple[Case, ...]] = {}
         self._arranged: dict[tuple[tuple[str, ...], bytes, int | None], tuple[arrangement.Candidate, ...]] = {}
+
+    def renewed(self) -> Evaluator:
+        """Itself for another text: what referents mean by their words is kept, as long as that is not too much."""
+        self._kept.clear()
+        if len(self._alike) > KEPT:
+            self._alike.clear()
+            self._candidates.clear()
+            self._arranged.clear()
+        return self
 
     def spot(self, region: Region) -> place.Spot:
         """A place as whoever is meant sees it."""
