@@ -220,7 +220,11 @@ def _placed(corner: bool, seen: Seen, names: str | tuple[str, ...]) -> Held:
 
 def _arranged(kind: str, seen: Seen, reference: object) -> Held:
     found = arrangement.candidates(seen.scene, (kind,), seen.all > 0)
-    return frozenset(mask_of(np.flatnonzero(c.mask)) for c in found if c.looks > seen.threshold)
+    if not found:
+        return frozenset()
+    held = np.array([c.looks for c in found]) * np.exp(arrangement.overshadowed(found))
+    kept = (c for c, how in zip(found, held, strict=True) if how > seen.threshold)
+    return frozenset(mask_of(np.flatnonzero(c.mask)) for c in kept)
 
 
 def _read_arrangement(kind: str, seen: Seen, reference: object) -> Held:
