@@ -53,6 +53,11 @@ def value(name: str) -> float:
     return _values[name]
 
 
+def values() -> tuple[float, ...]:
+    """All values, so that what was found with others can be told from what holds now."""
+    return tuple(_values.values())
+
+
 @contextmanager
 def varied(**changed: float) -> Iterator[None]:
     """Other values for as long as the context lasts, for measuring how much depends on them.

@@ -8,6 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from grounding.lexicon import arrangement, colour, place
+from grounding.lexicon.parameters import values
 from grounding.lexicon.where import Where
 from grounding.meaning.notation import write_referent
 from grounding.meaning.referents import OBJECTS, PERSON, PLACE, SETS, Condition, Referent, Region
@@ -45,12 +46,17 @@ class Evaluator:
         self._kept: dict[tuple[int, bytes, bool], tuple[Referent, Denotation]] = {}
         self._alike: dict[tuple[str, bytes, bool], Denotation] = {}
         self._candidates: dict[str, tuple[Case, ...]] = {}
+        self._values = values()
         self._arranged: dict[tuple[tuple[str, ...], bytes, int | None], tuple[arrangement.Candidate, ...]] = {}
 
     def renewed(self) -> Evaluator:
-        """Itself for another text: what referents mean by their words is kept, as long as that is not too much."""
+        """Itself for another text: what referents mean by their words is kept, as long as that is not too much.
+
+        Where parameters have other values than before (`grounding.lexicon.parameters.varied`) nothing is kept.
+        """
         self._kept.clear()
-        if len(self._alike) > KEPT:
+        if len(self._alike) > KEPT or values() != self._values:
+            self._values = values()
             self._alike.clear()
             self._candidates.clear()
             self._arranged.clear()

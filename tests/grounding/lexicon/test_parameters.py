@@ -6,6 +6,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+import models
+from grounding import Grounder, load_world
 from grounding.errors import LexiconError
 from grounding.lexicon.parameters import PARAMETERS, parameters, read_parameters, value, varied
 
@@ -78,3 +80,15 @@ def test_variations_are_checked():
     with pytest.raises(ZeroDivisionError), varied(direction__ahead=0.5):
         raise ZeroDivisionError
     assert value("direction.ahead") == parameters()["direction.ahead"].value
+
+
+def test_a_grounder_heeds_other_values_also_where_it_has_met_the_text_before():
+    grounder = Grounder.load()
+    world = load_world(models.SCENES / "default.json")
+    text = "pick up the block behind the leftmost block"
+    before = grounder.ground(text, world).actions + grounder.ground(text, world).alternatives
+    with varied(direction__width=1.5, direction__spread=1.5):
+        other = grounder.ground(text, world)
+    again = grounder.ground(text, world)
+    assert [a.probability for a in before] != [a.probability for a in other.actions + other.alternatives]
+    assert [a.probability for a in before] == [a.probability for a in again.actions + again.alternatives]
