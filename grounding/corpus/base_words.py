@@ -47,8 +47,6 @@ _SHAPES = {
     "configuration": "group",
     "building": "tower",
 }
-_VIEWERS = ("my", "your", "me", "myself")
-_EVERYTHING = ("everything", "them")
 _COMPARATIVES = ("closer", "nearer", "farther", "further", "higher", "lower")
 
 

@@ -25,7 +25,6 @@ _VERBS = {"touch": "pick", "find": "pick", "locate": "pick", "identify": "pick",
           "hops": "place", "travels": "place", "comes": "place", "shift": "place", "reposition": "place",
           "joins": "place", "loses": "pick", "takes": "place", "go": "place", "moved": "place", "placed": "place",
           "stacked": "place", "positioned": "place", "add": "place", "pull": "place", "lands": "place"}  # fmt: skip
-_MIXED = ("put", "move", "set", "place", "stack", "slide", "shift", "push", "drop", "position", "lay")
 _PLACES = ("direction", "region", "several", "predicate")
 _HANDLED = ("one", "many", "container")
 

@@ -43,11 +43,6 @@ def is_extreme(word: str) -> bool:
     return bool(directions(word)) and (word.endswith("most") or word in ("highest", "lowest"))
 
 
-def is_point(word: str) -> bool:
-    """Whether a word names a point of the compass by itself: "north"."""
-    return len((vocabulary().value("compass", word) or "-").split("-")) == 1
-
-
 def distance(word: str) -> str | None:
     """Either "near" or "far" for words of distance, None for others."""
     return vocabulary().value("distance", word)
@@ -182,11 +177,6 @@ def is_layout(word: str) -> bool:
 def is_measure(word: str) -> bool:
     """Whether a noun measures distances in blocks."""
     return vocabulary().has("measure", word)
-
-
-def is_pronoun(word: str) -> bool:
-    """Whether a word points back to what was spoken of: "it"."""
-    return vocabulary().has("pronoun", word)
 
 
 def is_negation(word: str) -> bool:

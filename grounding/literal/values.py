@@ -5,8 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
-import numpy as np
-
 from grounding.meaning.nouns import Noun
 from grounding.symbols import Region
 from grounding.world import Array
@@ -159,8 +157,3 @@ class Meant:
     names: tuple[str, ...] = ()
     place: str = ""
     agent: str | None = None
-
-
-def as_array(mask: int, size: int) -> np.ndarray:
-    """A mask of bits as booleans, shape (size,)."""
-    return np.array([bool(mask >> i & 1) for i in range(size)], dtype=bool)

@@ -75,11 +75,6 @@ def telling(phrase: PhraseGrounding) -> tuple[tuple[Symbol, float], ...]:
     return tuple(pair for pair in found if _rank(pair[0]) == best)
 
 
-def telling_of(symbols: Iterable[Symbol]) -> Symbol | None:
-    """Of some symbols the first of those that say most; None where there are none."""
-    return min(symbols, key=_rank, default=None)
-
-
 def _rank(symbol: Symbol) -> int:
     match symbol:
         case Action(_, objects, _):

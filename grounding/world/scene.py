@@ -21,7 +21,6 @@ STACKED = 0.35
 """Who means the top of a stack mostly says so."""
 SLANT = 0.15
 """The middle of a table that is seen from one side lies, in the picture, so much nearer than its own [half extents]."""
-VERTICAL = {"up": 1.0, "down": -1.0}
 
 
 class Scene:

@@ -10,7 +10,6 @@ from grounding.meaning.referents import OBJECTS, PERSON, PLACE, SETS, Condition,
 from grounding.meaning.wholes import region_of, whole_of
 
 NEAREST, FARTHEST = "nearest", "farthest"
-ROBOT_ITSELF = Referent(PERSON, person="robot", text="you")
 
 
 def person_of(noun: Noun) -> Referent:

@@ -1,11 +1,13 @@
 """Parameters: each lies in its range and says what it is; other files are refused where they are wrong."""
 
 import re
+from pathlib import Path
 
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+import grounding
 import models
 from grounding import Grounder, load_world
 from grounding.errors import LexiconError
@@ -36,6 +38,13 @@ def test_every_parameter_is_in_its_range_and_explained():
         assert parameter.says
         assert parameter.unit
         assert value(parameter.name) == parameter.value
+
+
+def test_every_parameter_takes_part():
+    source = "".join(path.read_text(encoding="utf-8") for path in Path(grounding.__file__).parent.rglob("*.py"))
+    composed = {f"direction.{kind}{name}" for kind in ("", "strict_") for name in ("spread", "width")}
+    composed |= {"arrangement.askew", "arrangement.pair"}
+    assert {name for name in parameters() if f'"{name}"' not in source} == composed
 
 
 @pytest.mark.parametrize(
