@@ -24,6 +24,7 @@ from grounding.symbols import (
     Container,
     ObjectSymbol,
     Region,
+    SpatialReference,
     Symbol,
     symbol_key,
 )
@@ -64,7 +65,7 @@ def phrases_of(tree: Phrase, belief: Belief, actions: Sequence[GroundedAction]) 
                 meant = _leading(meant, actions[0].destination)
             symbols |= meant
         elif reader is not None and phrase.tag == "PP":
-            symbols |= _regions(phrase, reader)
+            symbols = _related(symbols, phrase, reader)
         ordered = sorted(symbols.items(), key=lambda item: (-item[1], symbol_key(item[0])))
         found.append(PhraseGrounding(phrase.text, phrase.tag, phrase.span, depth, tuple(ordered)))
     return tuple(found)
@@ -145,10 +146,28 @@ def _leading(meant: Symbols, place: Destination | None) -> Symbols:
     return {**top, **{symbol: min(p, meant[named[0]]) for symbol, p in meant.items() if symbol not in top}}
 
 
-def _regions(phrase: Phrase, reader: PhraseReader) -> Symbols:
-    """The regions that a prepositional phrase names by what it relates to."""
+def _related(symbols: Symbols, phrase: Phrase, reader: PhraseReader) -> Symbols:
+    """The symbols of a prepositional phrase: the regions, sides and sets that it names, else what its words say."""
+    conditions = Reader(reader.context).conditions(phrase, Noun(head="block"))
+    found = {**_regions(conditions, reader), **_sides(conditions)}
+    if any(condition.chooses for condition in conditions):
+        found |= {s: p for inner in phrase.phrases if inner.tag == "NP" for s, p in _named(inner, reader).items()}
+    if not found:
+        return symbols
+    return {**{symbol: p for symbol, p in symbols.items() if not isinstance(symbol, SpatialReference)}, **found}
+
+
+def _sides(conditions: Sequence[Condition]) -> Symbols:
+    """The sides of the table that something is said to be on, or to be counted from."""
+    regions = [condition.region for condition in conditions if condition.region is not None]
+    names = [name for region in regions for name in (*flat(region.names), *(["center"] if region.middle else []))]
+    return {SpatialReference(name): 1.0 for name in names if name in SPATIAL_REFERENCES}
+
+
+def _regions(conditions: Sequence[Condition], reader: PhraseReader) -> Symbols:
+    """The regions that conditions name by what they relate to."""
     found: Symbols = {}
-    for condition in Reader(reader.context).conditions(phrase, Noun(head="block")):
+    for condition in conditions:
         relation = _relation(condition)
         denoted = [reader.evaluator.denote(referent) for referent in condition.of]
         if relation is None or not denoted or not all(d.weights.any() for d in denoted):

@@ -10,7 +10,7 @@ from grounding.model.belief import believe, read
 from grounding.model.evaluator import EVEN
 from grounding.phrases import phrases_of
 from grounding.result import Destination, GroundedAction
-from grounding.symbols import Action, Cardinal, Container, ObjectColor, ObjectSymbol, Region
+from grounding.symbols import Action, Cardinal, Container, ObjectColor, ObjectSymbol, Region, SpatialReference
 
 WORLD = load_world(models.SCENES / "four.json")
 BY_LEFT = [o.id for o in sorted(WORLD.things, key=lambda o: -o.position[1])]
@@ -78,3 +78,20 @@ def test_a_diagonal_is_a_row_of_gamma():
     world = World((WORLD["table"], *blocks, make_object("x", color="blue", position=(0.5, -0.4, 0.736))))
     found = symbols("pick up the first block in the diagonal", world)["the diagonal"]
     assert any(isinstance(s, Container) and s.kind == "row" and s.objects for s in found)
+
+
+@pytest.mark.parametrize(
+    ("text", "phrase", "wanted"),
+    [
+        ("pick up the third block from the right", "from the right", {SpatialReference("right")}),
+        ("pick up the block on the left side", "on the left side", {SpatialReference("left")}),
+    ],
+)
+def test_sides_are_told_without_the_prepositions_own_meaning(text, phrase, wanted):
+    assert {s for s in symbols(text)[phrase] if isinstance(s, SpatialReference)} == wanted
+
+
+def test_a_set_from_which_is_chosen_is_told():
+    world = load_world(models.SCENES / "default.json")
+    found = symbols("pick up the middle block in the row of five blocks", world)["in the row of five blocks"]
+    assert Container("row", ("b1", "b2", "b3", "b4", "b5")) in found
