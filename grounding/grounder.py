@@ -39,6 +39,7 @@ from grounding.world.scene import Scene
 READERS = ("meanings", "literal")
 """Who proposes what may be meant; each can be left out, see `Grounder`."""
 KEPT_SCENES = 16
+KEPT_VIEWS = 8  # of a scene, by who looks and what was handled before
 LONGEST = 200  # words that an instruction may have
 SENTENCE = 50  # words of a sentence that are parsed as one; longer ones are parsed in pieces
 
@@ -276,6 +277,8 @@ class Grounder:
         key = id(scene)
         known = self._known.setdefault(key, (scene, {}))[1]
         self._known.move_to_end(key)
+        if len(known) > KEPT_VIEWS:
+            known.clear()
         if len(self._known) > KEPT_SCENES:
             self._known.popitem(last=False)
         return known

@@ -18,7 +18,7 @@ from grounding.model.things import thing_cases
 from grounding.world import Array
 from grounding.world.scene import ROBOT, Scene
 
-KEPT = 4000
+KEPT = 200
 """An evaluator that has found so many meanings forgets them."""
 EVEN = Weights({"set": 1.0, "looks": 1.0, "number": 1.0, "shadow": 1.0, "parse": 0.5, "parse.long": 0.3, "buried": -2.3,
                 "stacked": -1.0})  # fmt: skip
