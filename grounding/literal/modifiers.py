@@ -5,14 +5,14 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from grounding.geometry.masks import mask_of, single
 from grounding.language.lexicon import meanings
 from grounding.language.tree import Phrase, Word
 from grounding.lexicon import words as w
-from grounding.literal.choosing import alone, along, from_person, from_reference, to_center, toward
-from grounding.literal.places import NAMES, OPPOSITE, PARTS
+from grounding.literal.choosing import alone, along, toward
+from grounding.literal.places import NAMES
+from grounding.literal.prepositions import ADVERBS, STRICT, at_place, by_distance, counted, related
 from grounding.literal.relations import region_of
-from grounding.literal.values import Effect, Meant, Member, Narrow, Order, Sided, Unread, Viewed
+from grounding.literal.values import Effect, Narrow, Order, Sided, Unread
 from grounding.meaning.nouns import Noun, read_noun
 from grounding.symbols import Cardinal, ObjectColor, Ordinal, Region
 from grounding.world.scene import SPEAKER
@@ -20,20 +20,6 @@ from grounding.world.scene import SPEAKER
 if TYPE_CHECKING:
     from grounding.literal.reader import LiteralReader
 
-RELATIONS = {
-    "behind": "back", "beyond": "back", "past": "back", "above": "above", "over": "above", "below": "below",
-    "under": "below", "beneath": "below", "underneath": "below", "near": "near", "beside": "near", "by": "near",
-    "next to": "near", "close to": "near", "adjacent to": "near", "alongside": "near", "against": "touching",
-    "touching": "touching", "between": "between", "in between": "between", "atop": "top", "upon": "top",
-    "in front of": "front",
-}  # fmt: skip
-_OF = frozenset(("in", "of", "from", "on", "at", "to", "off", "off of", "within", "inside", "among", "out of",
-                 "toward", "towards", "along", "for", "onto", "over to"))  # fmt: skip
-_STRICT = frozenset("directly immediately right just exactly".split())
-_ADVERBS = _STRICT | frozenset(
-    "away very slightly almost diagonally straight located situated placed positioned sitting standing lying also all "
-    "the way far more most so that nearly still now completely both is are".split()
-)
 _REFUSED = frozenset("aligned level flush line parallel facing opposite diagonal separated than forming making across "
                      "around until not n't isn't without except surrounded same other".split())  # fmt: skip
 _APART = frozenset("away apart outside opposite beyond".split())
@@ -106,7 +92,7 @@ def _predicate(reader: LiteralReader, noun: Noun, pool: int) -> list[Effect]:
     if noun.head == "place":
         meant = reader.meant(noun) if noun.place else None
         if meant is not None:
-            return _at(reader, meant, "", noun, None)
+            return at_place(reader, meant, "", noun, None)
         noun = replace(noun, head="block")
     meant = reader.meant(replace(noun, head="block"), pool)
     return [Narrow(meant.chosen or meant.pool, chosen=bool(meant.chosen))]
@@ -121,12 +107,12 @@ def _relation(reader: LiteralReader, phrase: Phrase, words: list[Word], noun: No
         return []
     if len(kids) > 1:
         return _joined(reader, phrase, texts, kids, noun, pool)
-    strict = bool(_STRICT & set(texts)) and not (texts[:1] == ["right"] and "of" in texts)
+    strict = bool(STRICT & set(texts)) and not (texts[:1] == ["right"] and "of" in texts)
     if not kids:
         return _bare(reader, phrase, texts, noun, pool)
     child = kids[0]
     if child.tag != "NP":
-        if not set(texts) <= _ADVERBS:
+        if not set(texts) <= ADVERBS:
             raise Unread(phrase.text)
         found = modify(reader, child, noun, pool)
         if strict:
@@ -145,47 +131,12 @@ def _relation(reader: LiteralReader, phrase: Phrase, words: list[Word], noun: No
         ranking = ["closest"]
     meant = reader.meant(inner)
     if ranking:
-        return [_by_distance(reader, meant, w.distance(ranking[-1]) == "far", index, texts, phrase)]
+        return [by_distance(reader, meant, w.distance(ranking[-1]) == "far", index, texts, phrase)]
     if index is not None:
         if meant.sort != "place" or (meant.parts and meant.parts[0].sort != "table") or texts[-1] not in ("from", "in"):
             raise Unread(phrase.text)
-        return _counted(reader, meant, index)
-    said = [text for text in texts if text not in _ADVERBS or text in ("that",)]
-    if len(texts) >= 2 and texts[-1] == "of" and w.directions(texts[-2]) and meant.sort in ("things", "agent"):
-        names = [NAMES.get(name, name) for name in w.directions(texts[-2])]
-        return _beside(reader, meant, names, strict, phrase)
-    preposition = " ".join(said) or texts[-1]
-    if meant.sort == "place" and texts[-1] == "from" and set(texts) <= {"up", "down", "in", "over", "from"}:
-        preposition = "from"
-    if meant.sort == "table" and preposition == "on" and reader.scene.towers:
-        lying = mask_of(i for i in range(reader.scene.n) if not reader.scene.raised[i])
-        return [Narrow(lying)] if single(pool & lying) else []  # else all that is there: "the bricks on the table"
-    if meant.sort == "table":
-        if preposition in _OF or preposition in ("on", "onto"):
-            return []
-        raise Unread(phrase.text)
-    if meant.sort == "agent":
-        if preposition in ("to", "from"):
-            return [Viewed(str(meant.agent), preposition)]
-        if preposition in ("near", "close to", "next to", "by"):
-            name = "far" if meant.agent == SPEAKER else "near"
-            return [Sided(name)]
-        raise Unread(phrase.text)
-    if meant.sort == "place":
-        if preposition not in _OF and RELATIONS.get(preposition) not in ("near", "touching", "above"):
-            raise Unread(phrase.text)
-        return _at(reader, meant, preposition, noun, strict)
-    relation = RELATIONS.get(preposition)
-    if relation is None and preposition in ("on", "onto"):
-        relation = "top"
-    if preposition == "on" and meant.kind not in ("object", "tower"):
-        relation = None
-    if relation is not None:
-        narrow = region_of(reader, meant, relation, phrase)
-        return [Narrow(narrow.mask, narrow.region, strict, True)]
-    if preposition in _OF:
-        return [_member(reader, meant, preposition, pool, noun, phrase)]
-    raise Unread(phrase.text)
+        return counted(reader, meant, index)
+    return related(reader, phrase, texts, meant, noun, pool, strict=strict)
 
 
 def _is_view(phrase: Phrase) -> bool:
@@ -200,7 +151,7 @@ def _joined(
     reader: LiteralReader, phrase: Phrase, texts: list[str], kids: list[Phrase], noun: Noun, pool: int
 ) -> list[Effect]:
     """What is joined: "on the left and next to it", "above and to the left of it"."""
-    if any(child.tag == "NP" for child in kids) or not set(texts) <= _ADVERBS | {"and", "but", "then"}:
+    if any(child.tag == "NP" for child in kids) or not set(texts) <= ADVERBS | {"and", "but", "then"}:
         raise Unread(phrase.text)
     if len(kids) == 2 and not any(p.tag == "NP" and read_noun(p).head in ("block", "container")
                                   for p in kids[0].preorder()):  # fmt: skip
@@ -221,7 +172,7 @@ def _joined(
 
 def _bare(reader: LiteralReader, phrase: Phrase, texts: list[str], noun: Noun, pool: int) -> list[Effect]:
     """A modifier without a noun phrase: "farthest away", "leftmost", "alone", "red"."""
-    told = [text for text in texts if text not in _ADVERBS or text in ("far",)]
+    told = [text for text in texts if text not in ADVERBS or text in ("far",)]
     if not told or told == ["way"]:
         raise Unread(phrase.text)
     if all(w.is_lone(text) for text in told):
@@ -249,121 +200,3 @@ def _bare(reader: LiteralReader, phrase: Phrase, texts: list[str], noun: Noun, p
     if not effects:
         raise Unread(phrase.text)
     return effects
-
-
-def _by_distance(
-    reader: LiteralReader, meant: Meant, far: bool, index: int | None, texts: list[str], phrase: Phrase
-) -> Effect:
-    """Ranks by distance: "second farthest from it", "furthest to the left", "furthest from the left"."""
-    layout = reader.layout
-    if meant.sort == "agent":
-        if meant.agent == SPEAKER:
-            return Order(from_person(reader.scene, SPEAKER, far), index)
-        name = "far" if far else "near"
-        return Order(along(layout, name), index, name)
-    if meant.sort == "place" and meant.parts and meant.parts[0].sort == "table":
-        meant = Meant("place", names=meant.names)
-    if meant.sort == "place" and not meant.parts:
-        away = far and "from" in texts
-        if len(meant.names) == 2:
-            if away:
-                raise Unread(phrase.text)
-            return Order(toward(reader.scene, meant.names), index, "", 0.03)
-        if meant.names == ("center",):
-            if far:
-                raise Unread(phrase.text)
-            return Order(to_center(layout), index, "center")
-        return Sided(OPPOSITE.get(meant.names[0], meant.names[0]) if away else meant.names[0], False, index, False)
-    if meant.sort == "things" and meant.chosen:
-        mask = meant.chosen
-        return Order(from_reference(layout, layout.names(mask), far), index, reference=mask)
-    raise Unread(phrase.text)
-
-
-def _counted(reader: LiteralReader, meant: Meant, index: int) -> list[Effect]:
-    if len(meant.names) == 2:
-        return [Order(toward(reader.scene, meant.names), index, "", 0.03)]
-    return [Sided(meant.names[0], False, index)]
-
-
-def _at(reader: LiteralReader, meant: Meant, preposition: str, noun: Noun, strict: bool | None) -> list[Effect]:
-    """In a place of the table or of a thing."""
-    if not meant.parts:
-        if len(meant.names) == 2:
-            if meant.place in PARTS:
-                return [Sided(name, True) for name in meant.names]
-            return [Order(toward(reader.scene, meant.names), None, "", 0.03)]
-        if meant.agent is not None and meant.names in (("front",), ("back",)):
-            raise Unread("in front of somebody")
-        narrows = not (noun.distance and preposition == "to")
-        return [Sided(meant.names[0], meant.place in PARTS, None, narrows, preposition in ("on", "at", "in", "to"))]
-    whole = meant.parts[0]
-    if whole.sort == "table":
-        name = {"top": "back", "bottom": "front"}.get(meant.names[0], meant.names[0])
-        if noun.distance and preposition == "to":
-            return [Sided(name, narrows=False)]
-        return [Narrow(reader.layout.within(Region(name, "object", _table_of(reader))))]
-    if whole.sort == "agent":
-        if meant.names[0] in ("left", "right") and len(meant.names) == 1:
-            return [] if _ranks(noun) else [Sided(meant.names[0])]
-        if len(meant.names) == 1 and not strict:
-            return []
-        raise Unread("in front of somebody")
-    name = meant.names[0]
-    lying = {"top": "back", "bottom": "front"}.get(name, name)
-    kind = whole.kind
-    arranged = kind not in ("object", "robot")
-    if arranged and len(meant.names) == 1 and whole.chosen and not _ranks(noun) and not noun.ordinals:
-        member = name == "center" or (preposition == "at" and name in ("left", "right", "front", "back"))
-        lying_end = preposition in ("at", "in") and kind in ("row", "column")
-        member |= name in ("top", "bottom") and (kind == "tower" or lying_end)
-        member |= bool(meant.place) and preposition in ("at", "on", "in")
-        if member:
-            said = name if kind == "tower" else lying
-            upright = kind == "tower"
-            return [Member(whole.chosen, kind), Order(along(reader.layout, said, upright), None, said)]
-    if len(meant.names) == 1 and name == "center" and whole.plural and whole.number == 2:
-        return [region_of(reader, whole, "between", None)]
-    return _beside(reader, whole, list(meant.names), bool(strict), None)
-
-
-def _table_of(reader: LiteralReader) -> tuple[str, ...]:
-    return tuple(item.id for item in reader.layout.world.objects if item.type == "table")[:1]
-
-
-def _beside(
-    reader: LiteralReader, whole: Meant, names: list[str], strict: bool, phrase: Phrase | None
-) -> list[Effect]:
-    if whole.sort == "agent":
-        turned = [OPPOSITE.get(name, name) for name in names] if whole.agent == SPEAKER else names
-        return [Sided(turned[0])]
-    if whole.sort != "things":
-        raise Unread("beside what?")
-    found: list[Effect] = []
-    for name in names:
-        narrow = region_of(reader, whole, name, phrase)
-        found.append(Narrow(narrow.mask, narrow.region if len(names) == 1 else None, strict, True))
-    return found
-
-
-def _ranks(noun: Noun) -> bool:
-    return bool(noun.directions or noun.distance or noun.middle or noun.far)
-
-
-def _member(reader: LiteralReader, meant: Meant, preposition: str, pool: int, noun: Noun, phrase: Phrase) -> Effect:
-    if meant.sort != "things":
-        raise Unread(phrase.text)
-    if not meant.chosen and meant.plural and meant.sets:
-        inside = [a for a in meant.sets if not a[1] & ~pool]
-        if len(inside) == 1:
-            return Member(inside[0][1], inside[0][0])
-    if not meant.chosen and meant.plural and meant.number:
-        sets = [(a.kind, a.mask) for a in reader.layout.evident_of((), meant.pool) if a.count == meant.number]
-        if len(sets) == 1:
-            return Member(sets[0][1], sets[0][0])
-    if not meant.chosen:
-        raise Unread(phrase.text)
-    taken = meant.kind == "tower" and preposition in ("from", "off", "off of")
-    if taken and not (_ranks(noun) or noun.ordinals or noun.plural):
-        raise Unread(phrase.text)  # what is taken off a stack is its top
-    return Member(meant.chosen, meant.kind, preposition in ("to", "from") and bool(noun.distance))

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from grounding.geometry.masks import indices_of, single
 from grounding.language.tree import Phrase
 from grounding.literal.following import Follower
-from grounding.literal.modifiers import RELATIONS
+from grounding.literal.prepositions import RELATIONS
 from grounding.literal.presupposed import forms
 from grounding.literal.reader import LiteralReader
 from grounding.literal.values import FIRM, Meant, Missing, Unread

@@ -9,13 +9,14 @@ import models
 from grounding.geometry.layout import Layout
 from grounding.language.parser import Parser
 from grounding.model.belief import believe, read
+from grounding.model.cases import Weights
 from grounding.model.evaluator import EVEN
 from grounding.placing import destination, leads_off_table
 from grounding.world import World, load_world, make_object
 from grounding.world.scene import Scene
 
 TABLE = load_world(models.SCENES / "four.json")["table"]
-WEIGHTS = {**EVEN, "parse": 0.5}
+WEIGHTS = Weights({**EVEN, "parse": 0.5})
 """Equal weights, and the likelier of two parses is the likelier one."""
 HEIGHT = 0.736  # of the centre of a block on the table
 EDGE = 0.05
