@@ -270,7 +270,8 @@ class Grounder:
         if "literal" not in self.without:
             literal = believe_literally(parses, scene, weigh(meanings, self.learned.referring), history)
         found = () if "meanings" in self.without else meanings
-        return Heard(literal, with_opinions(found, (opinion_of(literal),), Evaluator(scene), Told()))
+        told = Told(kind=literal.options[0][0][0]) if literal.options else Told()
+        return Heard(literal, with_opinions(found, (opinion_of(literal),), Evaluator(scene), told))
 
     def _evaluators(self, scene: Scene) -> dict[Seen, Evaluator]:
         """What was found out about a scene for texts before; of the latest scenes."""

@@ -242,3 +242,9 @@ def test_who_asks_for_something_to_be_made_of_nothing_that_is_named_is_told_what
     flat = World(tuple(o for o in WORLD.objects if o.id != "top"))
     assert "to make one, say which block goes where" in grounder().ground("build a tower of nine", flat).explanation
     assert "to make one" not in grounder().ground("lift the top block of the tower of nine", flat).explanation
+
+
+@pytest.mark.parametrize(("verb", "kind"), [("remove", "clear"), ("take", "pick")])
+def test_what_only_the_literal_reading_proposes_is_handled_as_is_said(verb, kind):
+    result = grounder().ground(f"{verb} all blocks on the left", SPREAD)
+    assert {a.action for a in (*result.actions, *result.alternatives)} == {kind}
