@@ -28,6 +28,7 @@ Step = tuple[Parse, ...]
 
 SAME = 0.15  # things whose likely objects overlap more than this are one thing that is spoken of again
 PLACED = 0.6  # once something has its place, and something is to be picked up, a new name tells another thing
+FAINT = 0.05  # things that a description hardly means are none that two descriptions share
 HOLDS = 0.1  # what is described worse than this is no thing to handle
 _PREPARING = frozenset("touch reach raise want need hold see look find".split())
 _ACTING = frozenset(word for words in HANDLING.values() for word in words) - _PREPARING
@@ -86,10 +87,10 @@ def _kind(clause: Phrase) -> str | None:
 
 def _apart(first: Denotation, second: Denotation, most: float) -> bool:
     """Tells whether two descriptions lead to different things: their likely objects overlap by less than `most`."""
-    one, two = float(first.weights.sum()), float(second.weights.sum())
-    if one <= 0 or two <= 0 or second.truth < HOLDS:
+    one, two = (np.where(denotation.weights < FAINT, 0.0, denotation.weights) for denotation in (first, second))
+    if not one.any() or not two.any() or second.truth < HOLDS:
         return False
-    return float(np.minimum(first.weights / one, second.weights / two).sum()) < most
+    return float(np.minimum(one / one.sum(), two / two.sum()).sum()) < most
 
 
 def _named(clause: Phrase) -> Noun | None:

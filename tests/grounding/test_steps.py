@@ -96,3 +96,8 @@ def test_mended_words_are_told():
     data = grounder().ground("pick up teh leftmost blok", scene()).to_json()
     assert data["mended"] == [["teh", "the"], ["blok", "block"]]
     assert "mended" not in grounder().ground("pick up the leftmost block", scene()).to_json()
+
+
+def test_many_things_that_are_hardly_meant_do_not_make_two_things_one():
+    text = "pick up the nearest block and then put the leftmost block on the rightmost block"
+    assert actions(text, "twenty_mixed") == [("pick", ("b17",)), ("place", ("b18",))]
