@@ -32,19 +32,20 @@ def destination(belief: Belief, objects: tuple[str, ...]) -> Destination | None:
     if len(objects) > 1 and not any(_leads(piece) for reading, _ in heard for piece in reading.told.destination):
         return None  # "stack the two red blocks": on what?
     found: dict[tuple[str, tuple[Phrase, ...]], tuple[FoundSpot, float]] = {}
-    full: set[int] = set()
+    full: dict[str, str] = {}
     for reading, share in heard:
         said = reading.evaluator.view, tuple(reading.told.destination)
+        words = " ".join(piece.text for piece in reading.told.destination)
         if said in found:
             found[said] = (found[said][0], found[said][1] + share)
             continue
-        spot = None if reading.place in full else _find(reading, source)
+        spot = None if full.get(words, said[0]) != said[0] else _find(reading, source)
         if spot is not None:
             found[said] = (spot, share)
             continue
         if reading is heard[0][0] and leads_off_table(belief, objects):
             return None
-        full.add(reading.place)  # where there is no room as one looks, there is none as somebody else would look
+        full.setdefault(words, said[0])  # where there is no room as one looks, nobody else's look finds any
     spot = agreed(list(found.values()), scene.edge)
     return None if spot is None else _stated(spot, source, scene)
 

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from grounding.meaning.goal.clues import RELATION, Clue
+from grounding.meaning.nouns import read_noun
 from grounding.model.phrases import PhraseReader
 from grounding.placing import maps
 from grounding.placing.amid_sets import amid_sets
@@ -45,9 +46,15 @@ def ground_clue(clue: Clue, source: int, plan: FloorPlan, reader: PhraseReader) 
 
 def truth_of(g: GroundedClue, places: Places, plan: FloorPlan, reader: PhraseReader) -> Array | None:
     """How true a clue is of places, shape (p, h); None where it has no references or is no concept of the lexicon."""
-    if g.anchors is None:
-        return None
+    if g.anchors is None or (g.clue.relation == "between" and _arranged(g.clue)):
+        return None  # between arrangements the lexicon is asked as a whole, see `agreement`
     return truths(g.clue.relation, g.anchors, g.shift, places, plan, reader, strict=g.clue.strict)
+
+
+def _arranged(clue: Clue) -> bool:
+    """Tells whether what a clue relates to are arrangements."""
+    nouns = [read_noun(phrase) for noun in clue.nouns for phrase in noun.conjoined] or list(clue.nouns)
+    return any(noun.head == "container" for noun in nouns)
 
 
 def agreement(g: GroundedClue, places: Places, source: int, plan: FloorPlan, reader: PhraseReader) -> Array:

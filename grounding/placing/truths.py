@@ -31,16 +31,16 @@ def truths(
         strict: whether "directly" is said.
 
     Returns:
-        shape (p, h); None for what the lexicon has no concept of: ways with a length, what comes about.
+        shape (p, h); None for what the lexicon has no concept of here: ways with a length, what comes about, what is
+        amid many.
     """
     scene, flat = reader.scene, places.support < 0
     where = Where.points(scene, plan.world(places.points))
     found = np.zeros((len(places.points), len(anchors.share)))
     for h, members in enumerate(anchors.members):
         chosen = list(members)
-        if relation == "between" and len(chosen) == 2:
-            first, second = scene.xy[chosen]
-            found[:, h] = between.truth(where.xy, first, second, scene.edge)
+        if relation == "between" and max(map(len, anchors.members)) <= 2:
+            found[:, h] = _between(where, scene.xy[chosen], scene.edge)
         elif relation == "offset" and not shift.said.any() and shift.open.any():
             vector = shift.open @ plan.axes
             vector = vector / np.linalg.norm(vector)
@@ -56,6 +56,11 @@ def truths(
         else:
             return None
     return found
+
+
+def _between(where: Where, points: Array, edge: float) -> Array:
+    """How true it is to lie between two points; nothing lies between one."""
+    return between.truth(where.xy, points[0], points[1], edge) if len(points) == 2 else np.zeros(len(where))
 
 
 def preferences(name: str, anchors: Anchors, places: Places, plan: FloorPlan, reader: PhraseReader) -> Array:
