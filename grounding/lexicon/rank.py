@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
+
 import numpy as np
 
 from grounding.lexicon.degrees import peak, ranked
@@ -69,8 +71,18 @@ def middle(scene: Scene, pool: Array, *, chosen: bool) -> Array:
     return np.asarray((1 - share) * found + share * of_all)
 
 
+def start(scene: Scene, kinds: Collection[str]) -> str:
+    """The direction in which the first of a row or a column lies, where nothing is said: left, or the near end.
+
+    Where only places tell things apart people speak of a picture, and count its columns from the top.
+    """
+    if "row" in kinds:
+        return "left"
+    return "front" if len(scene.layout.colors) > 1 else "back"
+
+
 def counted_off(scene: Scene, view: str, pool: Array, index: int, kinds: tuple[str, ...]) -> Array:
-    """An ordinal without a direction, shape (n,): from the left of a row, the back of a column, or whichever.
+    """An ordinal without a direction, shape (n,): from the start of a line, or whichever.
 
     Args:
         scene: the world.
@@ -81,7 +93,7 @@ def counted_off(scene: Scene, view: str, pool: Array, index: int, kinds: tuple[s
     """
     noise, share = blur(scene), value("rank.from_left")
     if "row" in kinds or "column" in kinds:
-        key = scene.xy @ scene.direction("left" if "row" in kinds else "back", view)
+        key = scene.xy @ scene.direction(start(scene, kinds), view)
         return np.asarray(share * truth(pool, key, index, noise) + (1 - share) * truth(pool, -key, index, noise))
     spread = scene.xy[pool > 0.3 * peak(pool)]
     extent = np.ptp(spread, axis=0) if len(spread) else np.ones(2)

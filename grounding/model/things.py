@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from grounding.lexicon import arrangement, colour
+from grounding.lexicon import arrangement, colour, rank
 from grounding.lexicon.degrees import softened
 from grounding.lexicon.parameters import value
 from grounding.meaning.referents import SETS, Condition, Referent
@@ -18,6 +18,7 @@ from grounding.model.holding import SETS as TRIED
 from grounding.model.holding import Evaluates, Held
 from grounding.model.relating import lane
 from grounding.model.restricting import restricted
+from grounding.symbols import LAST
 from grounding.world import Array
 
 _MOST_CASES = 12
@@ -180,8 +181,24 @@ def _several(evaluator: Evaluates, referent: Referent, case: Case, pool: Array, 
     if first is not None:
         found = [arrangement.Candidate(first, 1.0, "ranked")]
     else:
-        found = arrangement.collected(scene, pool, referent.number, referent.universal)
+        found = [] if orders else _at_ends(evaluator, referent, salient)
+        found = found or arrangement.collected(scene, pool, referent.number, referent.universal)
     return [set_case(case, found, referent.number)] if found else []
+
+
+def _at_ends(evaluator: Evaluates, referent: Referent, pool: Array) -> list[arrangement.Candidate]:
+    """The first or the last so many of a row or a column, where nothing tells from which end is counted."""
+    scene, conditions = evaluator.scene, referent.conditions
+    which = next((c.rank for c in conditions if c.concept == "ordinal" and c.rank in (1, LAST)), None)
+    kinds = {kind for c in conditions if c.chooses for kind in c.of[0].kinds} & {"row", "column"}
+    if which is None or not kinds or not referent.number:
+        return []
+    key = which * (scene.xy @ scene.direction(rank.start(scene, kinds), evaluator.view))
+    share, found = value("rank.from_left"), []
+    for sign, looks in ((1.0, share), (-1.0, 1.0 - share)):
+        mask = first_of([Order("ordinal", sign * key, None, 1.0)], pool, referent.number)
+        found += [] if mask is None else [arrangement.Candidate(mask, looks, "ranked")]
+    return found
 
 
 def set_case(case: Case, found: Sequence[arrangement.Candidate], number: int | None) -> Case:

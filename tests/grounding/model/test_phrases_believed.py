@@ -92,3 +92,12 @@ def test_it_is_what_was_handled_last():
 
 def test_nonsense_is_believed_of_nothing():
     assert believed("sing a song", WORLD).agreement < 0.1
+
+
+def test_the_first_two_of_a_line_are_those_at_its_start():
+    blue = block("blue", "blue", 0.8, -0.5)
+    row = World((TABLE, blue, *(block(f"r{i}", "red", 0.6, 0.3 - 0.1 * i) for i in range(5))))
+    assert first("take the first two blocks in the row", row)[1] == ("r0", "r1")
+    assert first("take the last two blocks in the row", row)[1] == ("r3", "r4")
+    column = World((TABLE, blue, *(block(f"c{i}", "red", 0.4 + 0.1 * i, 0.1) for i in range(5))))
+    assert first("take the first two red blocks in the column of red blocks", column)[1] == ("c0", "c1")
