@@ -47,8 +47,7 @@ def split(
         history: ids of the objects handled before, the latest last.
         weights: of features.
     """
-    commands = [_commands(parse.tree) for parse in parses]
-    if not commands or len(commands[0]) < 2:
+    if not parses or len(_commands(parses[0].tree)) < 2:
         return (tuple(parses),)
     handled = tuple(scene.layout.index[name] for name in history if name in scene.layout.index)
     evaluator = Evaluator(scene, history=handled, weights=weights)

@@ -7,10 +7,15 @@ from grounding.meaning.discourse.mending import as_sentence, mended
 from grounding.meaning.discourse.parts import is_existential
 from grounding.meaning.discourse.verbs import BEING, HANDLING, is_verbal
 
+_KEPT = "clauses"
 
-def clauses_of(tree: Phrase) -> list[Phrase]:
-    """The clauses of a text, in order."""
-    return [_possessed(as_sentence(clause)) for clause in _clauses(mended(tree))]
+
+def clauses_of(tree: Phrase) -> tuple[Phrase, ...]:
+    """The clauses of a text, in order. They are kept with the tree, which is immutable."""
+    kept: dict[str, tuple[Phrase, ...]] = tree.__dict__
+    if _KEPT not in kept:
+        kept[_KEPT] = tuple(_possessed(as_sentence(clause)) for clause in _clauses(mended(tree)))
+    return kept[_KEPT]
 
 
 def _possessed(clause: Phrase) -> Phrase:
