@@ -53,7 +53,7 @@ def phrases_of(tree: Phrase, belief: Belief, actions: Sequence[GroundedAction]) 
     reading = _agreeing(belief, actions[0].objects) if actions else next(iter(_told(belief)), None)
     reader = None if reading is None else reader_of(reading)
     found, target = [], True
-    for phrase, depth in _walk(tree, 0):
+    for phrase, depth in walk(tree):
         symbols: Symbols = {symbol: 1.0 for word in phrase.words for symbol in meanings(word.text)}
         if phrase is tree and phrase.tag in _CLAUSES:
             symbols |= {_action(action): action.probability for action in actions}
@@ -71,10 +71,11 @@ def phrases_of(tree: Phrase, belief: Belief, actions: Sequence[GroundedAction]) 
     return tuple(found)
 
 
-def _walk(phrase: Phrase, depth: int) -> Iterator[tuple[Phrase, int]]:
+def walk(phrase: Phrase, depth: int = 0) -> Iterator[tuple[Phrase, int]]:
+    """A phrase and all within it in preorder, each with how deep it lies."""
     yield phrase, depth
     for child in phrase.phrases:
-        yield from _walk(child, depth + 1)
+        yield from walk(child, depth + 1)
 
 
 def _told(belief: Belief) -> list[Believed]:

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 import numpy as np
 
 from grounding.explanations.meanings import Meanings
@@ -16,6 +14,7 @@ from grounding.meaning.referents import NOTHING, OBJECTS, PERSON, PLACE, TABLE, 
 from grounding.model.belief import Belief
 from grounding.model.cases import Denotation
 from grounding.model.phrases import PhraseReader
+from grounding.phrases import walk
 from grounding.result import Grounding
 from grounding.world import Array
 from grounding.world.scene import ROBOT, SPEAKER
@@ -36,7 +35,7 @@ def explained_phrases(
     """
     symbols = {(p.tag, p.words, p.depth): p.groundings for p in result.phrases}
     found = []
-    for phrase, depth in _walk(tree, 0):
+    for phrase, depth in walk(tree):
         weighed = None
         if meanings is not None:
             weighed = _whole(meanings, belief) if depth == 0 and phrase.tag in _CLAUSES else _weighed(phrase, meanings)
@@ -48,12 +47,6 @@ def explained_phrases(
 def span_of(phrase: Phrase) -> tuple[int, int]:
     """The places of a phrase's first and last word."""
     return phrase.leaves[0].index, phrase.leaves[-1].index
-
-
-def _walk(phrase: Phrase, depth: int) -> Iterator[tuple[Phrase, int]]:
-    yield phrase, depth
-    for child in phrase.phrases:
-        yield from _walk(child, depth + 1)
 
 
 def _whole(meanings: Meanings, belief: Belief) -> Weighed:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
-from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -14,15 +13,13 @@ from grounding.language.tree import Phrase
 from grounding.literal.choosing import side_of_all, toward
 from grounding.literal.colors import lacking
 from grounding.literal.places import names_of, says_unknown
+from grounding.literal.reading import ReadsLiterally
 from grounding.literal.values import FAINT, FIRM, Meant, Missing, Narrow, Order, Sided, Unread, Viewed
 from grounding.literal.wider import looks_stacked
 from grounding.meaning.nouns import Noun, read_noun
 from grounding.numbers import counted, spelled
 from grounding.symbols import LAST
 from grounding.world import Array
-
-if TYPE_CHECKING:
-    from grounding.literal.reader import LiteralReader
 
 SLANTED = 0.45  # a line that deviates from both axes by more is a diagonal [rad]
 APART = 1.6  # the nearest other block is so many times farther from a group than its members are from each other
@@ -31,7 +28,7 @@ Found = list[tuple[str, int]]
 Score = Callable[[int], float]
 
 
-def mean_arrangement(reader: LiteralReader, noun: Noun) -> Meant:
+def mean_arrangement(reader: ReadsLiterally, noun: Noun) -> Meant:
     """What a noun of an arrangement means.
 
     Raises:
@@ -80,7 +77,7 @@ def size_of(noun: Noun) -> int | None:
     return next((content.number for content in contents if content is not None and content.number), None)
 
 
-def _seen(reader: LiteralReader, noun: Noun, stuff: int) -> Found:
+def _seen(reader: ReadsLiterally, noun: Noun, stuff: int) -> Found:
     layout = reader.layout
     slanted = {(a.kind, a.mask) for a in layout.arrangements if a.kind in ("row", "column") and a.angle > SLANTED}
     found = [(a.kind, a.mask) for a in layout.evident_of((), stuff) if a.kind != "group" or a.separation >= APART]
@@ -103,7 +100,7 @@ def _seen(reader: LiteralReader, noun: Noun, stuff: int) -> Found:
     return [a for a in found if a[0] in kinds and (line or a not in slanted)]
 
 
-def _counts_bands(reader: LiteralReader, noun: Noun, stuff: int, found: Found) -> bool:
+def _counts_bands(reader: ReadsLiterally, noun: Noun, stuff: int, found: Found) -> bool:
     """Whether a rank or an end may be one of all bands, as some blocks stand in no line: "the third row"."""
     if not {"row", "column"} & set(noun.kinds) or "diagonal" in noun.kinds or not (noun.ordinals or names_of(noun)):
         return False
@@ -114,7 +111,7 @@ def _counts_bands(reader: LiteralReader, noun: Noun, stuff: int, found: Found) -
     return bool(standing) and (not found or index > len(found))
 
 
-def _faint(reader: LiteralReader, noun: Noun, stuff: int, number: int | None) -> Found:
+def _faint(reader: ReadsLiterally, noun: Noun, stuff: int, number: int | None) -> Found:
     """What looks a little like an arrangement though it does not catch the eye.
 
     Raises:
@@ -148,7 +145,7 @@ def _content(modifier: Phrase) -> Noun | None:
     return noun if noun.head == "block" and plain and (noun.number or noun.plural) else None
 
 
-def _chosen(reader: LiteralReader, noun: Noun, found: Found, rest: list[Phrase], number: int | None) -> Meant:
+def _chosen(reader: ReadsLiterally, noun: Noun, found: Found, rest: list[Phrase], number: int | None) -> Meant:
     layout, scene = reader.layout, reader.scene
     names = names_of(noun)
     key: Score | None = None
@@ -189,7 +186,7 @@ def _chosen(reader: LiteralReader, noun: Noun, found: Found, rest: list[Phrase],
     return Meant("things", best[1], best[1], kind, True, number, noun.definite, (best,))
 
 
-def _along(reader: LiteralReader, name: str) -> Score:
+def _along(reader: ReadsLiterally, name: str) -> Score:
     layout = reader.layout
     flat = UPRIGHT.get(name, name)
     if flat == "center":

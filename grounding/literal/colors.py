@@ -3,16 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
 
 from grounding.geometry.layout import Layout
 from grounding.lexicon import colour
+from grounding.literal.reading import ReadsLiterally
 from grounding.literal.values import FIRM, Missing, Unread
 from grounding.meaning.nouns import Noun
 from grounding.numbers import listed
-
-if TYPE_CHECKING:
-    from grounding.literal.reader import LiteralReader
 
 
 def without(colors: Sequence[str], layout: Layout) -> str:
@@ -23,7 +20,7 @@ def without(colors: Sequence[str], layout: Layout) -> str:
     return f"there is no {listed(colors, 'or')} block" + (f"; what is here is {listed(there)}" if there else "")
 
 
-def lacking(reader: LiteralReader, colors: tuple[str, ...]) -> Missing | Unread:
+def lacking(reader: ReadsLiterally, colors: tuple[str, ...]) -> Missing | Unread:
     """What is to be said of colours that nothing has: that they are missing, unless another one is taken for them."""
     scene = reader.scene
     if not colors or colour.truth(scene, colors).any():

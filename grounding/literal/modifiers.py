@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import TYPE_CHECKING
 
 from grounding.language.lexicon import meanings
 from grounding.language.tree import Phrase, Word
@@ -11,14 +10,12 @@ from grounding.lexicon import words as w
 from grounding.literal.choosing import alone, along, toward
 from grounding.literal.places import NAMES
 from grounding.literal.prepositions import ADVERBS, STRICT, at_place, by_distance, counted, related
+from grounding.literal.reading import ReadsLiterally
 from grounding.literal.relations import region_of
 from grounding.literal.values import Effect, Narrow, Order, Sided, Unread
 from grounding.meaning.nouns import Noun, read_noun
 from grounding.symbols import Cardinal, ObjectColor, Ordinal, Region
 from grounding.world.scene import SPEAKER
-
-if TYPE_CHECKING:
-    from grounding.literal.reader import LiteralReader
 
 _REFUSED = frozenset("aligned level flush line parallel facing opposite diagonal separated than forming making across "
                      "around until not n't isn't without except surrounded same other".split())  # fmt: skip
@@ -28,7 +25,7 @@ _CLAUSE = frozenset("is are 's was were that which who also still now completely
 _VIEWS = frozenset("perspective view viewpoint standpoint vantage position point".split())
 
 
-def modify(reader: LiteralReader, phrase: Phrase, noun: Noun, pool: int) -> list[Effect]:
+def modify(reader: ReadsLiterally, phrase: Phrase, noun: Noun, pool: int) -> list[Effect]:
     """What a modifier does.
 
     Args:
@@ -59,7 +56,7 @@ def modify(reader: LiteralReader, phrase: Phrase, noun: Noun, pool: int) -> list
     raise Unread(phrase.text)
 
 
-def _outside(reader: LiteralReader, phrase: Phrase) -> Effect:
+def _outside(reader: ReadsLiterally, phrase: Phrase) -> Effect:
     """What is no part of an arrangement: "outside the row"; a ring may have something within it that is neither."""
     meant = reader.mean(phrase.phrases[0])
     if meant.sort != "things" or not meant.chosen or meant.kind in ("object", "circle"):
@@ -67,7 +64,7 @@ def _outside(reader: LiteralReader, phrase: Phrase) -> Effect:
     return Narrow(reader.layout.everything & ~meant.chosen)
 
 
-def _clause(reader: LiteralReader, phrase: Phrase, texts: list[str], noun: Noun, pool: int) -> list[Effect]:
+def _clause(reader: ReadsLiterally, phrase: Phrase, texts: list[str], noun: Noun, pool: int) -> list[Effect]:
     leaves = [leaf.text for leaf in phrase.leaves]
     if {"moved", "placed", "put", "picked"} & set(leaves) and {"you", "i"} & set(leaves):
         if not reader.history:
@@ -85,7 +82,7 @@ def _clause(reader: LiteralReader, phrase: Phrase, texts: list[str], noun: Noun,
     return found
 
 
-def _predicate(reader: LiteralReader, noun: Noun, pool: int) -> list[Effect]:
+def _predicate(reader: ReadsLiterally, noun: Noun, pool: int) -> list[Effect]:
     """A noun phrase that says more of the same thing: "that is the closest one to you"."""
     if noun.head not in ("block", "other", "place") or noun.plural or noun.conjoined:
         raise Unread(noun.text)
@@ -98,7 +95,7 @@ def _predicate(reader: LiteralReader, noun: Noun, pool: int) -> list[Effect]:
     return [Narrow(meant.chosen or meant.pool, chosen=bool(meant.chosen))]
 
 
-def _relation(reader: LiteralReader, phrase: Phrase, words: list[Word], noun: Noun, pool: int) -> list[Effect]:
+def _relation(reader: ReadsLiterally, phrase: Phrase, words: list[Word], noun: Noun, pool: int) -> list[Effect]:
     texts = [word.text for word in words]
     kids = [child for child in phrase.phrases if child.tag not in ("INTJ", "PRT")]
     if phrase.tag == "PP" and _is_view(phrase):
@@ -148,7 +145,7 @@ def _is_view(phrase: Phrase) -> bool:
 
 
 def _joined(
-    reader: LiteralReader, phrase: Phrase, texts: list[str], kids: list[Phrase], noun: Noun, pool: int
+    reader: ReadsLiterally, phrase: Phrase, texts: list[str], kids: list[Phrase], noun: Noun, pool: int
 ) -> list[Effect]:
     """What is joined: "on the left and next to it", "above and to the left of it"."""
     if any(child.tag == "NP" for child in kids) or not set(texts) <= ADVERBS | {"and", "but", "then"}:
@@ -170,7 +167,7 @@ def _joined(
     return [effect for child in kids for effect in modify(reader, child, noun, pool)]
 
 
-def _bare(reader: LiteralReader, phrase: Phrase, texts: list[str], noun: Noun, pool: int) -> list[Effect]:
+def _bare(reader: ReadsLiterally, phrase: Phrase, texts: list[str], noun: Noun, pool: int) -> list[Effect]:
     """A modifier without a noun phrase: "farthest away", "leftmost", "alone", "red"."""
     told = [text for text in texts if text not in ADVERBS or text in ("far",)]
     if not told or told == ["way"]:

@@ -2,16 +2,12 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from grounding.language.lexicon import meanings
+from grounding.literal.reading import ReadsLiterally
 from grounding.literal.values import Meant, Unread
 from grounding.meaning.nouns import Noun, read_noun
 from grounding.symbols import Cardinal
 from grounding.world.scene import SPEAKER
-
-if TYPE_CHECKING:
-    from grounding.literal.reader import LiteralReader
 
 PARTS = frozenset("half part section area portion region quadrant zone".split())
 NAMES = {"up": "top", "down": "bottom"}
@@ -46,7 +42,7 @@ def names_of(noun: Noun) -> tuple[str, ...]:
     return tuple(dict.fromkeys(names))
 
 
-def mean_place(reader: LiteralReader, noun: Noun) -> Meant:
+def mean_place(reader: ReadsLiterally, noun: Noun) -> Meant:
     """What a noun of a place means.
 
     Raises:

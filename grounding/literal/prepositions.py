@@ -2,21 +2,17 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from grounding.geometry.masks import mask_of, single
 from grounding.language.tree import Phrase
 from grounding.lexicon import words as w
 from grounding.literal.choosing import along, from_person, from_reference, to_center, toward
 from grounding.literal.places import NAMES, OPPOSITE, PARTS
+from grounding.literal.reading import ReadsLiterally
 from grounding.literal.relations import region_of
 from grounding.literal.values import Effect, Meant, Member, Narrow, Order, Sided, Unread, Viewed
 from grounding.meaning.nouns import Noun
 from grounding.symbols import Region
 from grounding.world.scene import SPEAKER
-
-if TYPE_CHECKING:
-    from grounding.literal.reader import LiteralReader
 
 RELATIONS = {
     "behind": "back", "beyond": "back", "past": "back", "above": "above", "over": "above", "below": "below",
@@ -35,7 +31,7 @@ ADVERBS = STRICT | frozenset(
 
 
 def related(
-    reader: LiteralReader, phrase: Phrase, texts: list[str], meant: Meant, noun: Noun, pool: int, *, strict: bool
+    reader: ReadsLiterally, phrase: Phrase, texts: list[str], meant: Meant, noun: Noun, pool: int, *, strict: bool
 ) -> list[Effect]:  # fmt: skip
     """What a preposition says by what it relates to.
 
@@ -74,7 +70,7 @@ def _preposition(texts: list[str], meant: Meant) -> str:
     return " ".join(text for text in texts if text not in ADVERBS or text == "that") or texts[-1]
 
 
-def _to_table(reader: LiteralReader, preposition: str, pool: int, phrase: Phrase) -> list[Effect]:
+def _to_table(reader: ReadsLiterally, preposition: str, pool: int, phrase: Phrase) -> list[Effect]:
     if preposition == "on" and reader.scene.towers:
         lying = mask_of(i for i in range(reader.scene.n) if not reader.scene.raised[i])
         return [Narrow(lying)] if single(pool & lying) else []  # else all that is there: "the bricks on the table"
@@ -92,7 +88,7 @@ def _to_somebody(meant: Meant, preposition: str, phrase: Phrase) -> list[Effect]
 
 
 def _to_things(
-    reader: LiteralReader, meant: Meant, preposition: str, noun: Noun, pool: int, phrase: Phrase, *, strict: bool
+    reader: ReadsLiterally, meant: Meant, preposition: str, noun: Noun, pool: int, phrase: Phrase, *, strict: bool
 ) -> list[Effect]:  # fmt: skip
     relation = RELATIONS.get(preposition)
     if relation is None and preposition in ("on", "onto"):
@@ -108,7 +104,7 @@ def _to_things(
 
 
 def by_distance(
-    reader: LiteralReader, meant: Meant, far: bool, index: int | None, texts: list[str], phrase: Phrase
+    reader: ReadsLiterally, meant: Meant, far: bool, index: int | None, texts: list[str], phrase: Phrase
 ) -> Effect:
     """Ranks by distance: "second farthest from it", "furthest to the left", "furthest from the left"."""
     layout = reader.layout
@@ -136,14 +132,14 @@ def by_distance(
     raise Unread(phrase.text)
 
 
-def counted(reader: LiteralReader, meant: Meant, index: int) -> list[Effect]:
+def counted(reader: ReadsLiterally, meant: Meant, index: int) -> list[Effect]:
     """Ranks by counting from a place: "third from the left"."""
     if len(meant.names) == 2:
         return [Order(toward(reader.scene, meant.names), index, "", 0.03)]
     return [Sided(meant.names[0], False, index)]
 
 
-def at_place(reader: LiteralReader, meant: Meant, preposition: str, noun: Noun, strict: bool | None) -> list[Effect]:
+def at_place(reader: ReadsLiterally, meant: Meant, preposition: str, noun: Noun, strict: bool | None) -> list[Effect]:
     """In a place of the table or of a thing."""
     if not meant.parts:
         if len(meant.names) == 2:
@@ -184,12 +180,12 @@ def at_place(reader: LiteralReader, meant: Meant, preposition: str, noun: Noun, 
     return _beside(reader, whole, list(meant.names), bool(strict), None)
 
 
-def _table_of(reader: LiteralReader) -> tuple[str, ...]:
+def _table_of(reader: ReadsLiterally) -> tuple[str, ...]:
     return tuple(item.id for item in reader.layout.world.objects if item.type == "table")[:1]
 
 
 def _beside(
-    reader: LiteralReader, whole: Meant, names: list[str], strict: bool, phrase: Phrase | None
+    reader: ReadsLiterally, whole: Meant, names: list[str], strict: bool, phrase: Phrase | None
 ) -> list[Effect]:
     if whole.sort == "agent":
         turned = [OPPOSITE.get(name, name) for name in names] if whole.agent == SPEAKER else names
@@ -207,7 +203,7 @@ def _ranks(noun: Noun) -> bool:
     return bool(noun.directions or noun.distance or noun.middle or noun.far)
 
 
-def _member(reader: LiteralReader, meant: Meant, preposition: str, pool: int, noun: Noun, phrase: Phrase) -> Effect:
+def _member(reader: ReadsLiterally, meant: Meant, preposition: str, pool: int, noun: Noun, phrase: Phrase) -> Effect:
     if meant.sort != "things":
         raise Unread(phrase.text)
     if not meant.chosen and meant.plural and meant.sets:

@@ -7,16 +7,13 @@ that there is a row of seven. What definite phrases presuppose is looked for one
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from grounding.language.tree import Phrase
 from grounding.literal.arrangements import size_of
+from grounding.literal.reading import ReadsLiterally
 from grounding.literal.values import FIRM, Missing, Unread
 from grounding.meaning.nouns import Noun, read_noun
 from grounding.numbers import ranked, spelled
-
-if TYPE_CHECKING:
-    from grounding.literal.reader import LiteralReader
 
 _FORMING = frozenset(
     "form forms make makes making create creates creating become becomes forming build builds building".split()
@@ -28,7 +25,7 @@ def forms(tree: Phrase) -> bool:
     return bool(_FORMING & {leaf.text for leaf in tree.leaves})
 
 
-def absences(tree: Phrase, reader: LiteralReader) -> Iterator[Missing]:
+def absences(tree: Phrase, reader: ReadsLiterally) -> Iterator[Missing]:
     """What the definite phrases of a text presuppose and what is literally not there, innermost first.
 
     Args:

@@ -3,21 +3,18 @@
 from __future__ import annotations
 
 from itertools import product
-from typing import TYPE_CHECKING
 
 from grounding.geometry.masks import indices_of, mask_of
 from grounding.language.tree import Phrase
 from grounding.literal.choosing import touching
+from grounding.literal.reading import ReadsLiterally
 from grounding.literal.values import Meant, Narrow, Unread
 from grounding.symbols import Region
-
-if TYPE_CHECKING:
-    from grounding.literal.reader import LiteralReader
 
 MOST_REFERENCES = 8  # so many things a reference may leave open: "behind a green block"
 
 
-def region_of(reader: LiteralReader, meant: Meant, relation: str, phrase: Phrase | None) -> Narrow:
+def region_of(reader: ReadsLiterally, meant: Meant, relation: str, phrase: Phrase | None) -> Narrow:
     """What lies in a relation to what a noun phrase means."""
     layout = reader.layout
     text = phrase.text if phrase is not None else relation
@@ -52,7 +49,7 @@ def region_of(reader: LiteralReader, meant: Meant, relation: str, phrase: Phrase
     return Narrow(_of_some(reader, meant.pool, relation, number, text), vague=True)
 
 
-def _of_some(reader: LiteralReader, pool: int, relation: str, number: int, text: str) -> int:
+def _of_some(reader: ReadsLiterally, pool: int, relation: str, number: int, text: str) -> int:
     """What is in a relation to so many members of a set."""
     if pool.bit_count() > MOST_REFERENCES:
         raise Unread(text)
@@ -67,7 +64,7 @@ def _of_some(reader: LiteralReader, pool: int, relation: str, number: int, text:
     return mask_of(j for j, count in enumerate(counts) if count >= number)
 
 
-def _in_contact(reader: LiteralReader, meant: Meant, text: str) -> int:
+def _in_contact(reader: ReadsLiterally, meant: Meant, text: str) -> int:
     if meant.chosen and meant.kind not in ("object", "group"):
         found = 0
         for i in indices_of(meant.chosen):
@@ -86,7 +83,7 @@ def _in_contact(reader: LiteralReader, meant: Meant, text: str) -> int:
     return _of_some(reader, meant.pool, "touching", (meant.number or 2) if meant.plural else 1, text)
 
 
-def _between(reader: LiteralReader, meant: Meant, text: str) -> int:
+def _between(reader: ReadsLiterally, meant: Meant, text: str) -> int:
     layout = reader.layout
     counted = any(part.plural and part.kind == "group" for part in meant.parts)  # "two red ones and a blue one"
     if not meant.plural or counted or (not meant.parts and meant.number not in (2, None)):

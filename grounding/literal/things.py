@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
-from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -23,6 +22,7 @@ from grounding.literal.choosing import (
 )
 from grounding.literal.colors import lacking
 from grounding.literal.places import OPPOSITE, names_of, says_unknown
+from grounding.literal.reading import ReadsLiterally
 from grounding.literal.values import (
     FAINT,
     FIRM,
@@ -40,9 +40,6 @@ from grounding.literal.values import (
 from grounding.meaning.nouns import Noun
 from grounding.numbers import counted, ranked, spelled
 from grounding.symbols import LAST
-
-if TYPE_CHECKING:
-    from grounding.literal.reader import LiteralReader
 
 WITHIN = 3.0  # what is at most so many edges away may be called near where nothing is nearer
 _SOME = frozenset("the those these both all".split())  # "three red ones" are any three
@@ -66,7 +63,7 @@ class _Said:
         return self.members[-1].kind if self.members else ""
 
 
-def mean_things(reader: LiteralReader, noun: Noun, base: int | None = None) -> Meant:
+def mean_things(reader: ReadsLiterally, noun: Noun, base: int | None = None) -> Meant:
     """What a noun of blocks means.
 
     Raises:
@@ -134,7 +131,7 @@ def mean_things(reader: LiteralReader, noun: Noun, base: int | None = None) -> M
     return _several(reader, noun, said, names) if noun.plural else _one(reader, noun, said)
 
 
-def _almost(reader: LiteralReader, pool: int, said: _Said) -> bool:
+def _almost(reader: ReadsLiterally, pool: int, said: _Said) -> bool:
     """Whether something is so near to what nothing is beside that people may call it so."""
     scene = reader.scene
     for narrow in said.narrows:
@@ -146,7 +143,7 @@ def _almost(reader: LiteralReader, pool: int, said: _Said) -> bool:
     return False
 
 
-def _own_order(reader: LiteralReader, names: tuple[str, ...]) -> Order | None:
+def _own_order(reader: ReadsLiterally, names: tuple[str, ...]) -> Order | None:
     if not names:
         return None
     if len(names) == 1:
@@ -156,7 +153,7 @@ def _own_order(reader: LiteralReader, names: tuple[str, ...]) -> Order | None:
     raise Unread(" ".join(names))
 
 
-def _one(reader: LiteralReader, noun: Noun, said: _Said) -> Meant:
+def _one(reader: ReadsLiterally, noun: Noun, said: _Said) -> Meant:
     scene, layout = reader.scene, reader.layout
     pool, orders = said.pool, list(said.orders)
     index = noun.ordinals[0] if noun.ordinals else None
@@ -208,7 +205,7 @@ def _by_count(said: _Said) -> bool:
     return not said.narrows and not any(side.half for side in said.sides) and len(said.sides) + len(said.orders) < 2
 
 
-def _ranked(reader: LiteralReader, said: _Said, pool: int, order: Order, index: int | None) -> int:
+def _ranked(reader: ReadsLiterally, said: _Said, pool: int, order: Order, index: int | None) -> int:
     if order.name == "center" and said.kind in _LINES and (order.index or index or 1) == 1:
         middle = reader.layout.median(pool)
         if not middle:
@@ -224,7 +221,7 @@ def _ranked(reader: LiteralReader, said: _Said, pool: int, order: Order, index: 
     return chosen
 
 
-def _unranked(reader: LiteralReader, noun: Noun, said: _Said, pool: int, index: int | None) -> Meant:
+def _unranked(reader: ReadsLiterally, noun: Noun, said: _Said, pool: int, index: int | None) -> Meant:
     if index is not None:
         if index > pool.bit_count() and any(narrow.chosen for narrow in said.narrows):
             raise Unread("a rank of what is the only one")
@@ -245,7 +242,7 @@ def _unranked(reader: LiteralReader, noun: Noun, said: _Said, pool: int, index: 
     return Meant("things", pool, chosen, definite=noun.definite)
 
 
-def _several(reader: LiteralReader, noun: Noun, said: _Said, names: tuple[str, ...]) -> Meant:
+def _several(reader: ReadsLiterally, noun: Noun, said: _Said, names: tuple[str, ...]) -> Meant:
     scene, pool, number = reader.scene, said.pool, noun.number
     if noun.ordinals and noun.ordinals != (1,):
         raise Unread(noun.text)
@@ -287,7 +284,7 @@ def _several(reader: LiteralReader, noun: Noun, said: _Said, names: tuple[str, .
     return Meant("things", chosen or pool, chosen, kind, True, number, definite)
 
 
-def _arranged(reader: LiteralReader, pool: int, number: int, name: str) -> tuple[str, int] | None:
+def _arranged(reader: ReadsLiterally, pool: int, number: int, name: str) -> tuple[str, int] | None:
     """The arrangement of so many that lies farthest on a side: "the three on the left"."""
     found = [(a.kind, a.mask) for a in reader.layout.evident_of((), pool) if a.mask.bit_count() == number]
     if not found:

@@ -212,22 +212,22 @@ def inside(clue: Clue, anchors: Anchors, points: Array) -> Array:
     return np.asarray(np.exp(-np.maximum(off.max(axis=2) - 0.2, 0.0) / 0.7))
 
 
-def leaving(start: Array, anchors: Anchors, points: Array) -> Array:
-    """Farther from a reference than where it stands, on the way from there, shape (p, h)."""
-    span = start - anchors.centre
+def _way(start: Array, span: Array, points: Array) -> tuple[Array, Array, Array]:
+    """How far points lie along ways and beside them, shape (p, h), and how long the ways are, shape (h,)."""
     length = np.maximum(np.linalg.norm(span, axis=1), 0.5)
     off = points[:, None] - start
-    along = (off * span).sum(axis=2) / length
     across = np.abs(off[..., 0] * span[:, 1] - off[..., 1] * span[:, 0]) / length
+    return (off * span).sum(axis=2) / length, across, length
+
+
+def leaving(start: Array, anchors: Anchors, points: Array) -> Array:
+    """Farther from a reference than where it stands, on the way from there, shape (p, h)."""
+    along, across, _ = _way(start, start - anchors.centre, points)
     return np.asarray(_logarithmic(along, OWN_UNSAID[""]) * gaussian(across, 0.7))
 
 
 def approaching(start: Array, anchors: Anchors, points: Array) -> Array:
     """Nearer to a reference than where it stands, on the way there, shape (p, h)."""
-    span = anchors.centre - start
-    length = np.maximum(np.linalg.norm(span, axis=1), 0.5)
-    off = points[:, None] - start
-    along = (off * span).sum(axis=2) / length
-    across = np.abs(off[..., 0] * span[:, 1] - off[..., 1] * span[:, 0]) / length
+    along, across, length = _way(start, anchors.centre - start, points)
     left = length - along
     return np.asarray(gaussian(across, 0.6) * np.exp(-np.maximum(left - 1.1, 0) / (0.5 * length)) * (along > 0.3))

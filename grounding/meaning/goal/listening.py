@@ -136,8 +136,8 @@ class _Listener(Memory):
             self.clues[-1] = replace(self.clues[-1], relation="between")  # "the circle's center"
         elif w.is_between(text) or w.is_middle(text):
             self.relation = "between"
-        elif w.related(text):
-            self.relation = f"{RELATION}{w.related(text)}"
+        elif (related := w.related(text)) is not None:
+            self.relation = RELATION + related
         elif w.is_apart([text]) and following_from and self.number is None and not self.offsets:
             self.relation = "apart"
         elif g.is_aligning(text):

@@ -9,7 +9,6 @@ from collections.abc import Callable
 from dataclasses import replace
 
 from grounding.lexicon import words as w
-from grounding.lexicon.vocabulary import vocabulary
 from grounding.meaning.modifiers.enclosing import enclosing
 from grounding.meaning.modifiers.heard import Heard
 from grounding.meaning.nouns import Noun
@@ -59,10 +58,10 @@ def _by_somebody(reader: Reads, heard: Heard, noun: Noun, reference: Referent) -
 
 def _relation(reader: Reads, heard: Heard, noun: Noun, reference: Referent) -> list[Condition] | None:
     """For example "diagonal from the tower": a relation that is a module of the lexicon."""
-    named = [(name, text) for text in heard.texts for name in vocabulary().values("relation", text)]
-    if not named or reference.sort not in _THINGS:
+    said = next((text for text in heard.texts if w.related(text)), None)
+    if said is None or reference.sort not in _THINGS:
         return None
-    return [Condition("relation", (reference,), (named[0][0],), said=named[0][1])]
+    return [Condition("relation", (reference,), (str(w.related(said)),), said=said)]
 
 
 def _toward(reader: Reads, heard: Heard, noun: Noun, reference: Referent) -> list[Condition] | None:
