@@ -9,7 +9,7 @@ import numpy as np
 from grounding.geometry.layout import Layout
 from grounding.language.lexicon import meanings
 from grounding.language.tree import Phrase
-from grounding.lexicon import arrangement, colour
+from grounding.lexicon import arrangement, colour, kind
 from grounding.lexicon import words as w
 from grounding.literal.colors import without
 from grounding.meaning.nouns import Noun, read_noun
@@ -39,7 +39,7 @@ def whats_missing(tree: Phrase, scene: Scene) -> str | None:
     strange = unknown_things(tree, scene.layout)
     if asked and strange and _strange(asked[0], scene.layout) == strange[0]:
         return _unknown(strange[:1], scene.layout)
-    missing = _colors(tree, scene.layout)
+    missing = _unseen(tree, scene)
     if missing is not None:
         return missing
     for phrase in (p for target in asked[:1] for p in target.postorder() if p.tag == "NP"):
@@ -53,7 +53,7 @@ def whats_missing(tree: Phrase, scene: Scene) -> str | None:
 def unknown_named(tree: Phrase, scene: Scene) -> str | None:
     """A colour or a thing that is spoken of and that nothing here has, as a sentence for people, or None."""
     strange = unknown_things(tree, scene.layout)
-    return _colors(tree, scene.layout) or (_unknown(strange, scene.layout) if strange else None)
+    return _unseen(tree, scene) or (_unknown(strange, scene.layout) if strange else None)
 
 
 def unknown_things(tree: Phrase, layout: Layout) -> tuple[str, ...]:
@@ -87,7 +87,7 @@ def _strange(phrase: Phrase, layout: Layout) -> str | None:
         name in _NO_THINGS
         or not noun.strange
         or meanings(name)
-        or name in layout.types
+        or any(kind.is_type(name, known) for known in layout.types)
         or name not in noun.unknown
         or len(name) < 2
     )
@@ -121,17 +121,17 @@ def _unknown(names: tuple[str, ...], layout: Layout) -> str:
     return f"I know of nothing called {quoted} here; the world has: {', '.join(known)}"
 
 
-def _colors(tree: Phrase, layout: Layout) -> str | None:
-    found = (_color(read_noun(phrase), layout) for phrase in tree.postorder() if phrase.tag == "NP")
+def _unseen(tree: Phrase, scene: Scene) -> str | None:
+    found = (_lacking(read_noun(phrase), scene) for phrase in tree.postorder() if phrase.tag == "NP")
     return next((missing for missing in found if missing is not None), None)
 
 
-def _color(noun: Noun, layout: Layout) -> str | None:
-    if noun.head not in _THINGS or not noun.colors:
+def _lacking(noun: Noun, scene: Scene) -> str | None:
+    if noun.head not in _THINGS or not (noun.colors or noun.types):
         return None
-    if colour.truth(Scene(layout), noun.colors).any():
+    if kind.fitting(scene, noun.types, noun.colors).any():
         return None
-    return without(noun.colors, layout)
+    return without(scene, noun.types, noun.colors)
 
 
 def _arrangement(noun: Noun, scene: Scene) -> str | None:
@@ -143,7 +143,7 @@ def _arrangement(noun: Noun, scene: Scene) -> str | None:
     stuff = np.ones(scene.n, dtype=bool)
     colors = noun.colors or next((n.colors for m in noun.modifiers if (n := _content(m)) is not None), ())
     if colors:
-        stuff = np.array([item.color in colors or item.color == "unknown" for item in scene.layout.things])
+        stuff = colour.truth(scene, colors) > 0.5
     found = [c.mask for c in arrangement.candidates(scene, noun.kinds, stuff) if c.looks >= _LOOKS]
     kind = noun.kinds[0]
     heap = not _HEAPS.isdisjoint(noun.text.split())
@@ -174,10 +174,10 @@ def _rank(noun: Noun, scene: Scene) -> str | None:
     if noun.head != "block" or not noun.ordinals or noun.modifiers and any(_narrows(m) for m in noun.modifiers):
         return None
     rank = max(noun.ordinals)
-    there = [item for item in scene.layout.things if not noun.colors or item.color in (*noun.colors, "unknown")]
-    if 0 < len(there) < rank:
-        told = " ".join((*noun.colors[:1], "block"))
-        count = counted(len(there))
+    there = int((kind.fitting(scene, noun.types, noun.colors) > 0.5).sum())
+    if 0 < there < rank:
+        told = " ".join((*noun.colors[:1], *(noun.types[:1] or ("one",))))
+        count = counted(there)
         return f"there is no {ranked(rank)} {told}; {count}"
     return None
 

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from grounding.language.lexicon import meanings
 from grounding.language.tree import Phrase
-from grounding.lexicon import colour
+from grounding.lexicon import kind
 from grounding.lexicon import words as w
 from grounding.meaning.discourse.verbs import HANDLING
 from grounding.meaning.nouns import read_noun
@@ -87,12 +87,12 @@ def open_options(tree: Phrase, scene: Scene) -> tuple[tuple[str, tuple[str, ...]
     """
     if not _asks(tree) or _recalls(tree) or whats_missing(tree, scene) is not None:
         return ()
-    kind = next((k for k, verbs in HANDLING.items() for leaf in tree.leaves if leaf.text in verbs), "pick")
+    doing = next((k for k, verbs in HANDLING.items() for leaf in tree.leaves if leaf.text in verbs), "pick")
     for target in targets(tree):
         noun = read_noun(target)
         if noun.head == "block" and not noun.strange:
-            fits = colour.truth(scene, noun.colors)
-            return tuple((kind, (scene.layout.ids[i],)) for i in range(scene.n) if fits[i] > 0)
+            fits = kind.fitting(scene, noun.types, noun.colors)
+            return tuple((doing, (scene.layout.ids[i],)) for i in range(scene.n) if fits[i] > 0)
     return ()
 
 

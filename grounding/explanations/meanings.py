@@ -15,7 +15,7 @@ from grounding.meaning.notation import Line, lines, meaning_of, write
 from grounding.meaning.referents import OBJECTS, SETS, Condition, Referent
 from grounding.model.belief import Reading
 from grounding.model.cases import Case, Denotation
-from grounding.model.evaluator import base_of
+from grounding.model.restricting import base_of
 from grounding.world import Array
 
 LIKELY = 4  # of the objects or sets that a referent may mean, so many are told

@@ -114,6 +114,11 @@ class Layout:
         return frozenset(item.type for item in self.world.objects)
 
     @lazy
+    def kinds(self) -> frozenset[str]:
+        """The types of what can be handled."""
+        return frozenset(item.type for item in self.things)
+
+    @lazy
     def _scores(self) -> dict[str, Array]:
         x, y, z = self.positions.T
         distance = np.hypot(x, y)

@@ -1,6 +1,10 @@
-"""Verbs and particles that no treebank of instructions has, each with one that it has and that stands in its place."""
+"""Words that no treebank of instructions has, each with one that it has and that stands in its place."""
 
 from __future__ import annotations
+
+from grounding.language.lexicon import meanings
+from grounding.lexicon.vocabulary import vocabulary
+from grounding.symbols import ObjectColor
 
 _LIKE = {
     "moves": "ascends attaches climbs connects descends drags falls fills floats grows heads hides hops jumps "
@@ -20,5 +24,12 @@ _KNOWN_AS = {verb: known for known, verbs in reversed(_LIKE.items()) for verb in
 
 
 def kindred(word: str) -> str | None:
-    """A known word that stands where a new one stands, or None where the word is no such verb or particle."""
-    return _KNOWN_AS.get(word)
+    """A known word that stands where a new one stands, or None where the word is none whose kind is known.
+
+    A noun for a kind of thing stands where "block" does, a colour where "red" does.
+    """
+    if vocabulary().has("kind", word):
+        return "blocks" if word.endswith(("s", "dra")) else "block"
+    if vocabulary().has("tint", word):
+        return "small"
+    return "red" if any(isinstance(s, ObjectColor) for s in meanings(word)) else _KNOWN_AS.get(word)

@@ -10,6 +10,7 @@ import re
 from functools import lru_cache
 
 from grounding.language.number_words import number_of
+from grounding.lexicon.shades import colours
 from grounding.symbols import (
     LAST,
     Action,
@@ -43,21 +44,7 @@ _DIRECTIONS: dict[str, str] = {
     "bottom": "bottom bottommost lowest lower below under underneath beneath",
     "between": "between amid among",
 }
-_COLORS: dict[str, str] = {
-    "red": "red crimson scarlet",
-    "blue": "blue navy",
-    "green": "green",
-    "yellow": "yellow gold golden",
-    "orange": "orange",
-    "purple": "purple violet",
-    "white": "white",
-    "black": "black",
-    "gray": "gray grey",
-    "brown": "brown",
-    "pink": "pink",
-    "cyan": "cyan turquoise",
-    "magenta": "magenta",
-}
+_COLORS = "red blue green yellow orange purple white black gray brown pink cyan magenta".split()
 _TYPES: dict[str, str] = {
     "block": "block box cube brick blocks boxes cubes bricks",
     "table": "table tabletop tables desk",
@@ -105,8 +92,8 @@ def _table() -> dict[str, frozenset[Symbol]]:
     enter("both pair pairs", Cardinal(2))
     for name, words in _DIRECTIONS.items():
         enter(words, SpatialReference(name))
-    for name, words in _COLORS.items():
-        enter(words, ObjectColor(name))
+    for colour in colours().values():
+        enter(" ".join(colour.words), ObjectColor(colour.name))
     for name, words in _TYPES.items():
         enter(words, ObjectType(name))
     for name, words in _CONTAINERS.items():
@@ -180,5 +167,5 @@ def known_words() -> frozenset[str]:
 
 
 def known_colors() -> tuple[str, ...]:
-    """The names of colours, in a fixed order."""
+    """The names of the colours of Γ, in a fixed order."""
     return tuple(_COLORS)

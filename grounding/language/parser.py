@@ -151,7 +151,8 @@ class Parser:
         return found
 
     def _is_known(self, word: str) -> bool:
-        return self.grammar.words.is_known(word) or word in _LEXICON or bool(meanings(word))
+        known = self.grammar.words.is_known(word) or word in _LEXICON or bool(meanings(word))
+        return known or kindred(word) is not None
 
     def _unknown(self, tree: Phrase) -> tuple[str, ...]:
         return tuple(leaf.text for leaf in tree.leaves if not self._is_known(leaf.text))

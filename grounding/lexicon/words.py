@@ -145,7 +145,12 @@ def is_nearly(word: str) -> bool:
 
 def is_block(word: str) -> bool:
     """Whether a noun means a thing that can be moved."""
-    return vocabulary().has("thing", word)
+    return vocabulary().has("thing", word) or vocabulary().has("kind", word)
+
+
+def kind(word: str) -> str | None:
+    """What a thing is that a noun calls so, such as "pyramid" of "prism"; None for "object" and for unknown words."""
+    return vocabulary().value("kind", word)
 
 
 def containers(word: str) -> tuple[str, ...]:

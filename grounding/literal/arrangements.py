@@ -8,8 +8,9 @@ from dataclasses import replace
 import numpy as np
 
 from grounding.geometry.layout import UPRIGHT
-from grounding.geometry.masks import indices_of, single
+from grounding.geometry.masks import indices_of, mask_of, single
 from grounding.language.tree import Phrase
+from grounding.lexicon import kind
 from grounding.literal.choosing import side_of_all, toward
 from grounding.literal.colors import lacking
 from grounding.literal.places import names_of, says_unknown
@@ -38,21 +39,21 @@ def mean_arrangement(reader: ReadsLiterally, noun: Noun) -> Meant:
     line = noun.middle and noun.text.endswith(" line")  # of the table, along which nothing need lie
     if says_unknown(noun) or noun.lone or noun.agent or line:
         raise Unread(noun.text)
-    number, colors, rest = noun.number, noun.colors, []
+    number, colors, types, rest = noun.number, noun.colors, noun.types, []
     for modifier in noun.modifiers:
         content = _content(modifier)
         if content is None:
             rest.append(modifier)
             continue
         colors, number = colors or content.colors, number or content.number
+        types = types or content.types
         rest += content.modifiers  # "the row of blocks on the left" lies there as a whole
     if noun.plural:
         raise Unread(noun.text)
-    stuff = reader.layout.everything
-    for color in colors[:1]:
-        stuff = reader.layout.matching(None, color)
-        if not stuff:
-            raise lacking(reader, colors)
+    fits = kind.fitting(reader.scene, types, colors[:1])
+    if not fits.any():
+        raise lacking(reader, types, colors)
+    stuff = mask_of(int(i) for i in np.flatnonzero(fits > 0.5))
     found = _seen(reader, noun, stuff)
     if number is None and _counts_bands(reader, noun, stuff, found):
         raise Unread("lines are counted across the table, of which one block may be one")

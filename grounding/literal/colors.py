@@ -1,29 +1,31 @@
-"""Colours that nothing has."""
+"""Colours and kinds that nothing has."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
-from grounding.geometry.layout import Layout
-from grounding.lexicon import colour
+from grounding.lexicon import kind
 from grounding.literal.reading import ReadsLiterally
 from grounding.literal.values import FIRM, Missing, Unread
 from grounding.meaning.nouns import Noun
 from grounding.numbers import listed
+from grounding.world.scene import Scene
 
 
-def without(colors: Sequence[str], layout: Layout) -> str:
-    """A sentence for people: that nothing has one of some colours, and which there are."""
+def without(scene: Scene, kinds: tuple[str, ...], colors: tuple[str, ...]) -> str:
+    """A sentence for people: that nothing is of some kinds and colours, and what there is."""
+    layout = scene.layout
     there = sorted({item.color for item in layout.things if item.color != "unknown"})
     if not layout.things:
         return "there is nothing on the table"
-    return f"there is no {listed(colors, 'or')} block" + (f"; what is here is {listed(there)}" if there else "")
+    if not kind.truth(scene, kinds).any():
+        return f"there is no {listed(kinds, 'or')} here; the world has: {', '.join(sorted(layout.kinds))}"
+    what = listed(kinds, "or") if kinds else "block" if len(layout.kinds) > 1 else next(iter(layout.kinds))
+    return f"there is no {listed(colors, 'or')} {what}" + (f"; what is here is {listed(there)}" if there else "")
 
 
-def lacking(reader: ReadsLiterally, colors: tuple[str, ...]) -> Missing | Unread:
-    """What is to be said of colours that nothing has: that they are missing, unless another one is taken for them."""
+def lacking(reader: ReadsLiterally, kinds: tuple[str, ...], colors: tuple[str, ...]) -> Missing | Unread:
+    """What is to be said of kinds and colours that nothing has: they are missing, unless others are taken for them."""
     scene = reader.scene
-    if not colors or colour.truth(scene, colors).any():
-        return Unread(" ".join(colors))
-    told = without(colors, scene.layout)
-    return Missing(told, FIRM, Noun(head="block", colors=colors, text=told))
+    if kind.fitting(scene, kinds, colors).any():
+        return Unread(" ".join((*colors, *kinds)))
+    told = without(scene, kinds, colors)
+    return Missing(told, FIRM, Noun(head="block", types=kinds, colors=colors, text=told))

@@ -6,7 +6,8 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from grounding.geometry.masks import indices_of, single
+from grounding.geometry.masks import indices_of, mask_of, single
+from grounding.lexicon import kind
 from grounding.literal.choosing import (
     alone,
     along,
@@ -77,12 +78,9 @@ def mean_things(reader: ReadsLiterally, noun: Noun, base: int | None = None) -> 
     if noun.plural and noun.number is None and "both" in noun.text.split():
         noun = replace(noun, number=2)
     layout = reader.layout
-    pool = 0
-    kind = "block" if "block" in layout.types else None
-    for color in noun.colors or (None,):
-        pool |= layout.matching(kind, color)
+    pool = mask_of(int(i) for i in np.flatnonzero(kind.fitting(reader.scene, noun.types, noun.colors) > 0.5))
     if not pool:
-        raise lacking(reader, noun.colors)
+        raise lacking(reader, noun.types, noun.colors)
     if base is not None:
         pool &= base
     if noun.lone:

@@ -8,6 +8,7 @@ from typing import Any
 from grounding.language.lexicon import is_plural, is_universal, meanings, size_order
 from grounding.language.tree import Phrase, Word
 from grounding.lexicon import words as w
+from grounding.lexicon.shades import tint_of
 from grounding.symbols import LAST, Cardinal, ObjectColor, Ordinal
 
 _INDEFINITE = frozenset("a an some any".split())
@@ -27,6 +28,7 @@ class NounWords:
         self.directions: list[str] = []
         self.unknown: list[str] = []
         self.kinds: tuple[str, ...] = ()
+        self.types: list[str] = []
         self.heads: list[str] = []
         self.stacked = False
         self.small = False
@@ -39,6 +41,8 @@ class NounWords:
         self.named_strangely = False
         self.behind: list[Word] = []
         self.last = False
+        self.joined = False
+        self.tint: str | None = None
 
     def take(self, word: Word, last: bool) -> None:
         """Take in a word.
@@ -51,8 +55,10 @@ class NounWords:
         if "-" in text and not meanings(text) and not w.directions(text) and not w.place(text):
             parts = [part for part in text.split("-") if part]
             for place, part in enumerate(parts):
+                self.joined = place > 0
                 tag = "NNS" if part.endswith("s") else "NN" if place == len(parts) - 1 else word.tag
                 self.take(Word(part, tag, word.index), last and place == len(parts) - 1)
+            self.joined = False
             return
         self.last = last
         if not any(hears(self, word) for hears in _HEARING):
@@ -70,9 +76,7 @@ class NounWords:
         symbols = meanings(word.text)
         for symbol in symbols:
             if isinstance(symbol, ObjectColor):
-                self.colors.append(symbol.name)
-                self.counted.append((self.count, symbol.name))
-                self.count = None
+                self._colour(symbol.name)
                 return True
             if isinstance(symbol, Ordinal):
                 self.ordinals.append(symbol.value)
@@ -84,6 +88,23 @@ class NounWords:
             if isinstance(symbol, Cardinal) and not (word.text == "one" and self.last):
                 self._number(symbol.value)
         return False
+
+    def _colour(self, name: str) -> None:
+        """A colour, with the tint that was said before it: "light blue"."""
+        told = name if self.tint is None else f"{self.tint}-{name}"
+        self.tint = None
+        self.colors.append(told)
+        self.counted.append((self.count, told))
+        self.count = None
+
+    def _tint(self, word: Word) -> bool:
+        """What shade of a colour is meant, said before it or, as in "blue-sky", behind it."""
+        tint = tint_of(word.text)
+        if tint is not None and self.joined and self.colors:
+            self.colors[-1] = f"{tint}-{self.colors[-1]}"
+        elif tint is not None:
+            self.tint = tint
+        return tint is not None
 
     def _number(self, value: int) -> None:
         self.counts.append(value)
@@ -139,6 +160,8 @@ class NounWords:
         text = word.text
         if w.is_block(text):
             self.heads.append("block")
+            kind = w.kind(text)
+            self.types += [] if kind is None or kind in self.types else [kind]
             self.said["plural"] = text.endswith(("s", "es")) and text != "ones'"
         elif w.is_table(text):
             self.heads.append("table")
@@ -204,7 +227,7 @@ class NounWords:
         return {
             **said, "head": head, "kinds": kinds, "modifiers": modifiers, "far": self.away,
             "strange": self.named_strangely and not self.heads, "colors": tuple(self.colors),
-            "counted": tuple(self.counted), "ordinals": tuple(self.ordinals),
+            "types": tuple(self.types), "counted": tuple(self.counted), "ordinals": tuple(self.ordinals),
             "directions": tuple(self.directions), "unknown": tuple(self.unknown),
         }  # fmt: skip
 
@@ -262,7 +285,7 @@ class NounWords:
 
 
 _HEARING: tuple[Callable[[NounWords, Word], bool], ...] = (
-    NounWords._article, NounWords._symbol, NounWords._amount, NounWords._standing, NounWords._arrangement,
-    NounWords._thing, NounWords._distance, NounWords._direction, NounWords._pronoun,
+    NounWords._article, NounWords._tint, NounWords._symbol, NounWords._amount, NounWords._standing,
+    NounWords._arrangement, NounWords._thing, NounWords._distance, NounWords._direction, NounWords._pronoun,
 )  # fmt: skip
 """What a word may say, in the order in which it is tried."""

@@ -18,6 +18,7 @@ class Noun:
     Attributes:
         head: block, container, place, table, agent, pronoun, measure, or other.
         kinds: of container.
+        types: of things: "pyramid" of "the red prism".
         place: "side" or "corner".
         colors: asked for; one of them is enough.
         number: how many, or None.
@@ -45,6 +46,7 @@ class Noun:
 
     head: str = "other"
     kinds: tuple[str, ...] = ()
+    types: tuple[str, ...] = ()
     place: str | None = None
     colors: tuple[str, ...] = ()
     number: int | None = None
@@ -148,6 +150,7 @@ def _merged(head: Noun, own: Noun) -> Noun:
     return replace(
         head,
         colors=head.colors or own.colors,
+        types=head.types or own.types,
         number=head.number or own.number,
         ordinals=head.ordinals or own.ordinals,
         distance=head.distance or own.distance,

@@ -118,7 +118,7 @@ class Reader:
         pointing = noun.text.split()[0] in ("that", "this") and not (noun.plural or noun.modifiers)
         if pointing and context.several and context.mentioned is not None:
             return Referent(SETS, (Condition("those", (context.mentioned,)),), kinds=noun.kinds, text=noun.text)
-        colors, number = noun.colors, noun.number
+        colors, types, number = noun.colors, noun.types, noun.number
         found: list[Condition] = []
         for modifier in noun.modifiers:
             content = _content(modifier)
@@ -126,9 +126,11 @@ class Reader:
                 found += self.conditions(modifier, noun)
             else:
                 colors, number = colors or content.colors, number or content.number
+                types = types or content.types
         if "-" in noun.text:
             number = number or _hyphenated(noun.text)
         made = [Condition("colour", words=colors)] if colors else []
+        made += [Condition("kind", words=types)] if types else []
         return Referent(
             SETS, (*made, *found, *selectors(noun)), kinds=noun.kinds, number=number, plural=noun.plural,
             definite=noun.definite, universal=noun.universal, only=noun.only, text=noun.text,

@@ -13,7 +13,7 @@ from dataclasses import dataclass, replace
 
 OBJECTS, SETS, PLACE, PERSON, TABLE, NOTHING = "objects", "sets", "place", "person", "table", "nothing"
 RESTRICTING = frozenset(
-    "colour toward off_middle measured stepped beside touching apart between surrounded at part on on_table alone "
+    "colour kind toward off_middle measured stepped beside touching apart between surrounded at part on on_table alone "
     "before same other recalled outside with_others apart_others strange centre relation".split()
 )
 CHOOSING = frozenset("member among those".split())

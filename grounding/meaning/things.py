@@ -15,8 +15,10 @@ def own_conditions(reader: Reads, noun: Noun) -> list[Condition]:
     found: list[Condition] = []
     if noun.colors:
         found.append(Condition("colour", words=noun.colors))
+    if noun.types:
+        found.append(Condition("kind", words=noun.types))
     if noun.strange:
-        found.append(Condition("strange"))
+        found.append(Condition("strange", said=noun.unknown[-1]))
     found += modifying
     if bare.lone:
         found.append(Condition("alone", counting=bare.unstacked))

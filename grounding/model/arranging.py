@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from grounding.lexicon import arrangement, colour, person, rank
+from grounding.lexicon import arrangement, person, rank
 from grounding.lexicon.degrees import peak
 from grounding.lexicon.parameters import value
 from grounding.meaning.referents import Condition, Referent
@@ -15,7 +15,7 @@ from grounding.model.choosing import Order, Pool, Ranked, orders_of
 from grounding.model.features import add_held, add_rank
 from grounding.model.holding import SETS as TRIED
 from grounding.model.holding import Evaluates, Held
-from grounding.model.restricting import restricted
+from grounding.model.restricting import base_of, restricted
 from grounding.model.things import set_case
 from grounding.world import Array
 from grounding.world.scene import ROBOT, Scene
@@ -26,8 +26,7 @@ _ENDS = {"row": {"up": 0, "back": 0, "down": -1, "front": -1}, "column": {"left"
 def arrangement_cases(evaluator: Evaluates, referent: Referent) -> list[Case]:
     """All that a noun of an arrangement may mean."""
     scene, conditions = evaluator.scene, referent.conditions
-    words = tuple(word for c in conditions if c.concept == "colour" and not c.negated for word in c.words)
-    stuff = colour.truth(scene, words) > 0.5
+    stuff = base_of(scene, conditions) > 0.5
     number = None if referent.plural else referent.number
     found = evaluator.arrangements(referent.kinds, stuff, number)
     lines = _counted_lines(scene, referent, stuff) if referent.number is None else []
@@ -56,7 +55,7 @@ def _case(
     case.add("shadow", shadow)
     case.add("shadowed", -(shadow < 0).astype(float))
     shares = case.masks / np.maximum(case.masks.sum(axis=1, keepdims=True), 1)
-    modifying = [c for c in referent.conditions if c.concept != "colour"]
+    modifying = [c for c in referent.conditions if c.concept not in ("colour", "kind")]
     for condition in modifying:
         if condition.restricts:
             both = _held(evaluator, condition, shares)

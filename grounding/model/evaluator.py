@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
 
-from grounding.lexicon import arrangement, colour, place
+from grounding.lexicon import arrangement, place
 from grounding.lexicon.parameters import values
 from grounding.lexicon.where import Where
 from grounding.meaning.notation import write_referent
-from grounding.meaning.referents import OBJECTS, PERSON, PLACE, SETS, Condition, Referent, Region
+from grounding.meaning.referents import OBJECTS, PERSON, PLACE, SETS, Referent, Region
 from grounding.model.arranging import arrangement_cases, conjoined_cases
 from grounding.model.cases import Case, Denotation, Weights, combined
 from grounding.model.things import thing_cases
@@ -125,10 +124,3 @@ class Evaluator:
         """The smallest truth of the referents to which a referent relates."""
         related = [r for c in referent.conditions if not c.negated for r in c.of] + list(referent.parts)
         return min((self.denote(r, base).truth for r in related if r.sort in (OBJECTS, SETS)), default=1.0)
-
-
-def base_of(scene: Scene, conditions: Sequence[Condition]) -> Array:
-    """How well every object is of the colour that is said, shape (n,)."""
-    words = tuple(word for c in conditions if c.concept == "colour" and not c.negated for word in c.words)
-    return colour.truth(scene, words)
-

@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 
-from grounding.lexicon import alone, colour, nearness, rank
+from grounding.lexicon import alone, colour, kind, nearness, rank
 from grounding.lexicon.parameters import value
 from grounding.meaning.referents import Condition
 from grounding.model.holding import SETS, Evaluates, Held, Restricting, plain
 from grounding.model.relating import RELATING
 from grounding.model.standing import STANDING
 from grounding.world import Array
+from grounding.world.scene import Scene
 
 
 def restricted(evaluator: Evaluates, condition: Condition, base: Array) -> Held:
@@ -27,12 +30,23 @@ def restricted(evaluator: Evaluates, condition: Condition, base: Array) -> Held:
     return found
 
 
+def base_of(scene: Scene, conditions: Sequence[Condition]) -> Array:
+    """How well every object is of the kind and the colour that are said, shape (n,)."""
+    said = {name: tuple(word for c in conditions if c.concept == name and not c.negated for word in c.words)
+            for name in ("kind", "colour")}  # fmt: skip
+    return kind.fitting(scene, said["kind"], said["colour"])
+
+
 def _colour(evaluator: Evaluates, condition: Condition, base: Array) -> Held:
     return plain(colour.truth(evaluator.scene, condition.words))
 
 
 def _strange(evaluator: Evaluates, condition: Condition, base: Array) -> Held:
-    return plain(np.full(evaluator.scene.n, value("colour.strange")))
+    return plain(kind.called(evaluator.scene, condition.said))
+
+
+def _kind(evaluator: Evaluates, condition: Condition, base: Array) -> Held:
+    return plain(kind.truth(evaluator.scene, condition.words))
 
 
 def _same(evaluator: Evaluates, condition: Condition, base: Array) -> Held:
@@ -100,6 +114,7 @@ def _member(evaluator: Evaluates, condition: Condition, base: Array) -> Held:
 
 _RESTRICTING: dict[str, Restricting] = {
     **RELATING, **STANDING,
-    "colour": _colour, "strange": _strange, "same": _same, "other": _other, "recalled": _recalled, "outside": _outside,
-    "apart_others": _apart_others, "with_others": _with_others, "member": _member, "among": _member, "those": _member,
+    "colour": _colour, "strange": _strange, "kind": _kind, "same": _same, "other": _other, "recalled": _recalled,
+    "outside": _outside, "apart_others": _apart_others, "with_others": _with_others, "member": _member,
+    "among": _member, "those": _member,
 }  # fmt: skip

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from grounding.lexicon import arrangement, colour, rank
+from grounding.lexicon import arrangement, rank
 from grounding.lexicon.degrees import softened
 from grounding.lexicon.parameters import value
 from grounding.meaning.referents import SETS, Condition, Referent
@@ -17,7 +17,7 @@ from grounding.model.features import add_held, add_rank, logarithm
 from grounding.model.holding import SETS as TRIED
 from grounding.model.holding import Evaluates, Held
 from grounding.model.relating import lane
-from grounding.model.restricting import restricted
+from grounding.model.restricting import base_of, restricted
 from grounding.symbols import LAST
 from grounding.world import Array
 
@@ -43,8 +43,7 @@ def thing_cases(evaluator: Evaluates, referent: Referent, base: Array | None, *,
         carrying: whether it is spoken of because of what it carries.
     """
     scene, conditions = evaluator.scene, referent.conditions
-    words = tuple(word for c in conditions if c.concept == "colour" and not c.negated for word in c.words)
-    kind = colour.truth(scene, words) * (1.0 if base is None else base)
+    kind = base_of(scene, conditions) * (1.0 if base is None else base)
     counted = is_counted(referent)
     held = [(c, _held(evaluator, c, kind, counted=counted)) for c in conditions if c.restricts]
     choices = _choices(evaluator, conditions, kind)

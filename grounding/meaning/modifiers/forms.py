@@ -77,8 +77,19 @@ def _clause(reader: Reads, phrase: Phrase, head: Noun, *, possessive: bool) -> l
 def _negated(reader: Reads, phrase: Phrase, head: Noun) -> list[Condition]:
     kept = tuple(word for word in phrase.words if not w.is_negation(word.text))
     parts = phrase.phrases or ((Phrase(phrase.tag, kept),) if kept else ())  # "that is not red"
-    found = [condition for child in parts for condition in reader.conditions(child, head)]
+    found: list[Condition] = []
+    for child in parts:
+        said = reader.conditions(child, head)
+        if child.tag == "NP" and _names_one(read_noun(child), said):
+            said = [Condition("same", (reader.refer(read_noun(child)),))]
+        found += said
     return [replace(condition, negated=not condition.negated) for condition in found if not condition.ranks]
+
+
+def _names_one(noun: Noun, said: list[Condition]) -> bool:
+    """Whether a noun that is denied names something by more than what it is: "not the red one closest to you"."""
+    told = [condition for condition in said if condition.concept not in ("colour", "kind")]
+    return noun.head == "block" and noun.definite and bool(told) and not noun.plural
 
 
 def _joined(reader: Reads, parts: tuple[Phrase, ...], head: Noun) -> list[Condition]:

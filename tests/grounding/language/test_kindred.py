@@ -1,4 +1,4 @@
-"""Verbs that the treebank has not are read where kindred ones stand."""
+"""Words that the treebank has not are read where kindred ones stand."""
 
 import pytest
 
@@ -17,5 +17,13 @@ def test_a_new_verb_is_read_as_its_kin_is(verb):
 
 
 def test_other_words_have_no_kin():
-    assert kindred("block") is None
+    assert kindred("wug") is None
     assert kindred("moves") is None
+
+
+@pytest.mark.parametrize(("noun", "tag"), [("tetrahedron", "NN"), ("prisms", "NNS"), ("tetrahedra", "NNS")])
+def test_a_kind_of_thing_is_read_as_a_block_is(noun, tag):
+    tree = PARSER.parse(f"pick up the teal {noun} behind the red one")[0].tree
+    assert next(leaf.tag for leaf in tree.leaves if leaf.text == noun) == tag
+    known = PARSER.parse("pick up the red block behind the red one")[0].tree
+    assert [p.tag for p in tree.preorder()] == [p.tag for p in known.preorder()]

@@ -107,7 +107,7 @@ def test_a_line_gives_a_relation_another_word():
 def test_afterwards_the_word_says_nothing_again():
     with extended("relation", "diagonal", "aslant"):
         pass
-    assert Reader().refer(read_noun(from_brackets("(NP (DT the) (JJ aslant) (NN block))")[0])).conditions == ()
+    assert Reader().refer(read_noun(from_brackets("(NP (DT the) (JJ aslant) (NN thing))")[0])).conditions == ()
 
 
 def test_a_relation_without_a_file_is_refused():

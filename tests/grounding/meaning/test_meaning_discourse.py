@@ -40,12 +40,12 @@ def test_one_is_chosen_from_several_that_are_mentioned():
 def test_it_is_what_was_mentioned():
     found = told("there is a red block on the left. pick it up")
     assert found.target is found.mentioned
-    assert [condition.concept for condition in found.target.conditions] == ["colour", "at"]
+    assert [condition.concept for condition in found.target.conditions] == ["colour", "kind", "at"]
 
 
 @pytest.mark.parametrize("text", ["find the tower. take its top block", "there is a tower. take its top block"])
 def test_a_part_is_taken_of_what_was_mentioned(text):
-    assert conditions(text) == ["extreme up", "those of x2"]
+    assert conditions(text) == ["kind block", "extreme up", "those of x2"]
     assert any(line.startswith("x2 is sets tower") for line in lines(text))
 
 
@@ -69,17 +69,17 @@ def test_what_is_stated_says_more_of_the_same():
 )  # fmt: skip
 def test_verbs_say_what_is_to_be_done(text, kind):
     assert told(text).kind == kind
-    assert conditions(text) == ["colour red"]
+    assert conditions(text) == ["colour red", "kind block"]
 
 
 def test_a_destination_is_no_part_of_what_is_handled():
     found = told("put the red block on the blue block")
     assert [phrase.text for phrase in found.destination][-1] == "on the blue block"
-    assert conditions("put the red block on the blue block") == ["colour red"]
+    assert conditions("put the red block on the blue block") == ["colour red", "kind block"]
 
 
 def test_a_thing_named_before_the_command_is_handled():
-    assert conditions("the red block. take it") == ["colour red"]
+    assert conditions("the red block. take it") == ["colour red", "kind block"]
 
 
 def test_a_text_without_a_thing_has_no_target():

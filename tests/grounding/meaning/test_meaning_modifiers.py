@@ -73,7 +73,7 @@ SAID = [
 
 def said(modifier):
     """What a modifier says of a block, without the words for it."""
-    phrase = from_brackets(f"(NP (NP (DT the) (NN block)) {modifier})")[0]
+    phrase = from_brackets(f"(NP (NP (DT the) (NN thing)) {modifier})")[0]
     told = (line for line in lines(Reader().phrase(phrase)) if line.name == "x1" and line.condition is not None)
     return [line.text.removeprefix("x1 ").partition(" said ")[0] for line in told]
 

@@ -19,16 +19,17 @@ def read(brackets, context=None):
 @pytest.mark.parametrize(
     ("brackets", "lines"),
     [
-        (RED, ["is objects", "colour red"]),
-        ("(NP (DT a) (JJ green) (NN block))", ["is objects indefinite", "colour green"]),
-        ("(NP (DT all) (JJ red) (NNS blocks))", ["is sets plural all", "colour red"]),
-        ("(NP (DT the) (JJ only) (JJ red) (NN block))", ["is objects only", "colour red"]),
-        ("(NP (DT the) (JJ third) (JJ red) (NN block))", ["is objects", "colour red", "ordinal rank 3"]),
-        ("(NP (DT the) (JJ middle) (NN block))", ["is objects", "middle"]),
+        (RED, ["is objects", "colour red", "kind block"]),
+        ("(NP (DT a) (JJ green) (NN block))", ["is objects indefinite", "colour green", "kind block"]),
+        ("(NP (DT all) (JJ red) (NNS blocks))", ["is sets plural all", "colour red", "kind block"]),
+        ("(NP (DT the) (JJ only) (JJ red) (NN block))", ["is objects only", "colour red", "kind block"]),
+        ("(NP (DT the) (JJ third) (JJ red) (NN block))", ["is objects", "colour red", "kind block", "ordinal rank 3"]),
+        ("(NP (DT the) (JJ green) (NN prism))", ["is objects", "colour green", "kind pyramid"]),
+        ("(NP (DT the) (JJ middle) (NN block))", ["is objects", "kind block", "middle"]),
         ("(NP (DT the) (JJS tallest) (NN tower))", ["is sets tower", "size amount 1"]),
         ("(NP (DT the) (JJ second) (NN row))", ["is sets row", "ordinal rank 2"]),
         ("(NP (NP (DT the) (NN row)) (PP (IN of) (NP (CD five) (JJ red) (NNS blocks))))",
-         ["is sets row number 5", "colour red"]),
+         ["is sets row number 5", "colour red", "kind block"]),
         (f"(NP {ROW} (CC and) (NP (DT the) (NN column)))", ["is sets number 2 crossing parts x2 and x3"]),
         (f"(NP {RED} (CC and) (NP (DT the) (JJ blue) (NN block)))", ["is sets number 2 plural parts x2 and x3"]),
         ("(NP (PRP you))", ["is person robot"]),
@@ -65,7 +66,7 @@ def test_bare_plurals_point_back_to_several(text):
 
 def test_others_are_not_what_was_mentioned():
     mentioned = read(RED)
-    other = next(c for c in read("(NP (DT the) (JJ other) (NN block))", Context(mentioned)).conditions)
+    other = next(c for c in read("(NP (DT the) (JJ other) (NN one))", Context(mentioned)).conditions)
     assert other.concept == "other"
     assert other.of[0].conditions[0].of == (mentioned,)
 
