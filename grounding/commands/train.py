@@ -29,6 +29,7 @@ from grounding.grounder import Grounder
 from grounding.language.compiled import write_tables
 from grounding.language.grammar import Grammar
 from grounding.language.parser import Parser
+from grounding.language.terse import with_terse
 from grounding.learning import learn, learn_first_pass
 from grounding.learning.beliefs import EQUAL, learn_beliefs, texts_by_hand, texts_of
 from grounding.learning.examples import Annotated, annotated
@@ -91,7 +92,7 @@ def run(args: argparse.Namespace) -> int:
     args.output.mkdir(parents=True, exist_ok=True)
     _say(f"grammar from {len(trees)} trees and {args.sampled} sampled texts")
     sampled = [tree for tree in sampled_sentences(args.sampled, _SEED) if not (args.hold_out and is_held_out(tree))]
-    grammar = Grammar.learn((*trees.values(), *sampled))
+    grammar = Grammar.learn(with_terse((*trees.values(), *sampled)))
     if args.grammar_only:
         _write_grammar(grammar, args.output)
         return _finish({"trees": len(trees), "sampled": args.sampled}, start, args.output)
