@@ -304,7 +304,9 @@ class Conversation:
         if action.action == "place" and action.destination is None:
             option = Option(action.objects, action.probability, (("place", 1.0),))
             return self._ask(step.text, Pending(pending.course, step, (option,), 1, where=True))
-        answer = Grounding(step.text, "grounded", (action,), phrases=step.decided().phrases)
+        answer = pending.course.with_arm(
+            Grounding(step.text, "grounded", (action,), phrases=step.decided().phrases)
+        )
         result = self._taken(self._grounder.follow(pending.course.after(answer)))
         self._remember(pending.course, step, result)
         return result

@@ -23,6 +23,7 @@ class Course:
         done: the answers to the first steps.
         milliseconds: that finding the steps took.
         before: the world before what was handled last was moved, where that is known.
+        arms: the hands that were named, one for all steps or one for each; none where none was.
     """
 
     text: str
@@ -32,6 +33,15 @@ class Course:
     done: tuple[Grounding, ...] = ()
     milliseconds: float = 0.0
     before: World | None = None
+    arms: tuple[str, ...] = ()
+
+    def with_arm(self, answer: Grounding) -> Grounding:
+        """The answer to the next step, with the hand that was named for it."""
+        if not self.arms:
+            return answer
+        arm = self.arms[min(len(self.done), len(self.arms) - 1)]
+        return replace(answer, actions=tuple(replace(a, arm=arm) for a in answer.actions),
+                       alternatives=tuple(replace(a, arm=arm) for a in answer.alternatives))  # fmt: skip
 
     @property
     def next(self) -> Step | None:

@@ -6,15 +6,14 @@ from collections.abc import Sequence
 from itertools import pairwise
 
 from grounding.language.tree import Phrase
-from grounding.meaning.discourse.verbs import HANDLING
+from grounding.meaning.discourse.verbs import BEING, HANDLING, HAVING, LOOKING, MAKING
 
 _NEGATIONS = frozenset(("not", "n't", "never", "don't", "dont"))
 _NONE = frozenset(("0", "zero", "no"))
 _ASKING = frozenset("what which how where who whose why when is are does did was were".split())
-_OTHER_DEEDS = frozenset(
-    "ignore leave skip avoid smash break destroy crush throw toss hurl paint color rotate spin flip roll kick hit "
-    "punch cut eat burn count describe explain unstack weigh measure photograph clean wash open close".split()
-)
+_OTHER_DEEDS = frozenset("let show swap exchange".split())  # whatever follows
+_POLITE = frozenset("please robot baxter hey hi hello ok okay now so then and you can could would will kindly just "
+                    "well".split())  # fmt: skip
 _PLACING = frozenset(HANDLING["place"])
 _BESIDE = frozenset("on onto atop upon to beside behind under below above near".split())
 _STATING = frozenset(("is", "are", "'s", "does", "was", "were", "am", "be", "will", "would", "should", "has", "have"))
@@ -35,9 +34,12 @@ def forbidden(tree: Phrase) -> str | None:
     if not _HANDLED & set(texts):
         if texts[0] in _ASKING:
             return "that is a question; I pick up, place and clear: say what to handle"
-        verb = next((text for text in texts[:2] if text in _OTHER_DEEDS), None)
+        verb = _other_deed(tree)
         if verb is not None:
             return f"I cannot {verb!r} things; I pick up, place and clear"
+    verb = next((leaf.text for leaf in tree.leaves if leaf.text not in _POLITE), "")
+    if verb in _OTHER_DEEDS:
+        return f"I cannot {verb!r} things; I pick up, place and clear"
     nowhere = _nowhere(texts)
     if nowhere is not None:
         return nowhere
@@ -51,6 +53,18 @@ def forbidden(tree: Phrase) -> str | None:
         text = denied[0].text.replace(" n't", "n't")
         return f"{text!r} tells me what not to do; say what to do"
     return None
+
+
+def _other_deed(tree: Phrase) -> str | None:
+    """The verb of a text that commands nothing that can be done, and does not only say where to look or how things are.
+
+    Told by its place and its tag, so that no verb needs to be known: "tap the block".
+    """
+    first = next((leaf for leaf in tree.leaves if leaf.text not in _POLITE), None)
+    if first is None or first.text in LOOKING | BEING | MAKING | HAVING:
+        return None
+    commands = first.tag in ("VB", "VBP") and any(phrase.tag in ("NP", "PP") for phrase in tree.preorder())
+    return first.text if commands or first.text in _OTHER_DEEDS else None
 
 
 def _nowhere(texts: Sequence[str]) -> str | None:

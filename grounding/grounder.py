@@ -14,6 +14,7 @@ from grounding.dialogue import action_of, decide
 from grounding.errors import GroundingError, LanguageError
 from grounding.forbidding import without_forbidden
 from grounding.geometry.layout import Layout
+from grounding.language.instruments import without_hands
 from grounding.language.lexicon import meanings
 from grounding.language.parser import Parse, Parser
 from grounding.language.tree import Phrase
@@ -222,9 +223,12 @@ class Grounder:
     def course(self, text: str, world: World, history: Sequence[str] = (), before: World | None = None) -> Course:
         """The steps of an instruction, none of them grounded yet; see `ground`."""
         start = time.perf_counter()
-        steps = split(self._parsed(text), self.scene(world), history)
+        said, arms = without_hands(text)
+        steps = split(self._parsed(said), self.scene(world), history)
+        if len(set(arms)) > 1 and len(arms) != len(steps):
+            raise LanguageError("several hands are named; say one for each thing to do")
         return Course(text, steps, world, tuple(history), milliseconds=1000 * (time.perf_counter() - start),
-                      before=before)  # fmt: skip
+                      before=before, arms=arms)  # fmt: skip
 
     def follow(self, course: Course) -> Followed:
         """Ground the steps that are left, as far as they have answers."""
@@ -234,7 +238,7 @@ class Grounder:
             scene = self.scene(course.world)
             text = course.text if len(course.steps) == 1 else step[0].tree.text
             understanding = self._read(text, step, scene, course.history)
-            answer = understanding.decided(course.before)
+            answer = course.with_arm(understanding.decided(course.before))
             if answer.outcome == "grounded":
                 course = course.after(answer)
             else:
@@ -244,7 +248,7 @@ class Grounder:
 
     def understand(self, text: str, world: World, history: Sequence[str] = ()) -> Understanding:
         """Read an instruction as one thing to do, in every way that is likely; see `ground`."""
-        return self._read(text, self._parsed(text), self.scene(world), history)
+        return self._read(text, self._parsed(without_hands(text).text), self.scene(world), history)
 
     def _parsed(self, text: str) -> tuple[Parse, ...]:
         """The parses, without sentences that forbid where others tell what to do.

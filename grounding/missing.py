@@ -131,7 +131,8 @@ def _lacking(noun: Noun, scene: Scene) -> str | None:
         return None
     if kind.fitting(scene, noun.types, noun.colors).any():
         return None
-    return without(scene, noun.types, noun.colors)
+    said = tuple(word for word in noun.text.split() if w.kind(word) in noun.types)
+    return without(scene, noun.types, noun.colors, said)
 
 
 def _arrangement(noun: Noun, scene: Scene) -> str | None:

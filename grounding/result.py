@@ -42,20 +42,23 @@ class GroundedAction:
         objects: ids, in the order they are to be handled.
         probability: that this is what was meant.
         destination: of a place, else None.
+        arm: "left" or "right" where it was said with which hand, else None.
     """
 
     action: str
     objects: tuple[str, ...]
     probability: float
     destination: Destination | None = None
+    arm: str | None = None
 
     def to_json(self) -> dict[str, Any]:
-        """Plain values, as in a result."""
+        """Plain values, as in a result; "arm" only where it was said."""
         return {
             "action": self.action,
             "objects": list(self.objects),
             "probability": round(self.probability, 4),
             "destination": None if self.destination is None else self.destination.to_json(),
+            **({} if self.arm is None else {"arm": self.arm}),
         }
 
 

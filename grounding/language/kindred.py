@@ -30,6 +30,15 @@ def kindred(word: str) -> str | None:
     """
     if vocabulary().has("kind", word):
         return "blocks" if word.endswith(("s", "dra")) else "block"
+    if vocabulary().has("unit", word):
+        return "space" if word in ("foot", "yard") or word.endswith(("re", "er", "h")) else "spaces"
     if vocabulary().has("tint", word):
         return "small"
-    return "red" if any(isinstance(s, ObjectColor) for s in meanings(word)) else _KNOWN_AS.get(word)
+    shades = [part for part in word.split("-") if part and (vocabulary().has("tint", part) or _is_colour(part))]
+    if len(shades) == len(word.split("-")):  # "red", "blue-green", "sky-blue"
+        return "red"
+    return _KNOWN_AS.get(word)
+
+
+def _is_colour(word: str) -> bool:
+    return any(isinstance(symbol, ObjectColor) for symbol in meanings(word))

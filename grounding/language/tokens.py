@@ -12,11 +12,13 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 from grounding.errors import LanguageError
+from grounding.lexicon.vocabulary import vocabulary
 
 SENTENCE_ENDS = frozenset(".!?;…。！？")
 _APOSTROPHES = "'’‘ʼ＇`´"
 _HYPHENS = "‐‑‒-"
-_TOKEN = re.compile(rf"\d+(?:[.,]\d+)+|\w+(?:[{_APOSTROPHES}{_HYPHENS}]\w+)*|\S")
+_TOKEN = re.compile(rf"\d+(?:[.,]\d+)+[A-Za-z]*|\w+(?:[{_APOSTROPHES}{_HYPHENS}]\w+)*|\S")
+_LENGTH = re.compile(r"(\d+(?:[.,]\d+)*)([A-Za-z]+)")
 _CLITIC = re.compile(
     rf"(?P<stem>.+?)(?P<clitic>n[{_APOSTROPHES}]t|[{_APOSTROPHES}](?:s|d|m|ll|re|ve))\Z", re.IGNORECASE
 )
@@ -68,6 +70,9 @@ def tokenize(text: str) -> tuple[Token, ...]:
         start, end = match.span()
         clitic = _CLITIC.match(match.group())
         cuts = [start, start + clitic.start("clitic"), end] if clitic else [start, end]
+        length = _LENGTH.fullmatch(match.group())
+        if length and vocabulary().has("unit", length.group(2).lower()):
+            cuts = [start, start + length.start(2), end]  # "10cm"
         for first, last in pairwise(cuts):
             original = text[first:last]
             if any(_visible(character) for character in original):

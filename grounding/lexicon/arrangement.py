@@ -36,7 +36,9 @@ class Candidate(NamedTuple):
     strength: float | None = None
 
 
-def candidates(scene: Scene, kinds: tuple[str, ...], wanted: np.ndarray, number: int | None = None) -> list[Candidate]:
+def candidates(
+    scene: Scene, kinds: tuple[str, ...], wanted: np.ndarray, number: int | None = None, parts: Sequence[Array] = ()
+) -> list[Candidate]:
     """Arrangements of some kinds among wanted objects, those that look most like one first.
 
     Args:
@@ -44,14 +46,12 @@ def candidates(scene: Scene, kinds: tuple[str, ...], wanted: np.ndarray, number:
         kinds: rows, columns, diagonals, groups, circles, towers; any of them.
         wanted: of what they are made, boolean (n,).
         number: of members, or None.
+        parts: for each of several colours that were said, whether objects have it, shape (n,): all have to be there.
     """
     found: dict[bytes, Candidate] = {}
     if "tower" in kinds:
-        for tower in scene.towers:
-            mask = np.zeros(scene.n, dtype=bool)
-            mask[list(tower)] = True
-            if (mask & wanted).any():
-                _add(found, Candidate(mask, 1.0, "tower"), number)
+        for candidate in _towers(scene, wanted):
+            _add(found, candidate, number)
         if not scene.towers:
             kinds = (*kinds, "group")
     flat = wanted & (scene.clear if "tower" not in kinds else wanted)
@@ -65,7 +65,25 @@ def candidates(scene: Scene, kinds: tuple[str, ...], wanted: np.ndarray, number:
     if "group" in kinds:
         for candidate in clusters(scene, wanted):
             _add(found, candidate, number)
-    return sorted(found.values(), key=lambda c: -c.looks * numbered(c.mask, number))[:_MOST]
+    made = [c._replace(looks=c.looks * _composed(c.mask, parts)) for c in found.values()]
+    return sorted(made, key=lambda c: -c.looks * numbered(c.mask, number))[:_MOST]
+
+
+def _towers(scene: Scene, wanted: np.ndarray) -> list[Candidate]:
+    """Towers, and where colours are said what is below the top: "the red and blue tower" carries a yellow block."""
+    found = []
+    for tower in scene.towers:
+        for height in range(len(tower) if wanted.all() else 2, len(tower) + 1):
+            mask = _mask(scene, np.array(tower[:height]))
+            looks_so = float(wanted[mask].mean()) ** 2 * height / len(tower)
+            form = "tower" if height == len(tower) else "tower.lower"
+            found += [Candidate(mask, looks_so, form)] if looks_so else []
+    return found
+
+
+def _composed(mask: np.ndarray, parts: Sequence[Array]) -> float:
+    """How many of the colours that were said a set has."""
+    return float(np.mean([(part[mask] > 0.5).any() for part in parts])) if len(parts) > 1 else 1.0
 
 
 def overshadowed(found: Sequence[Candidate]) -> Array:

@@ -20,7 +20,7 @@ def truth(scene: Scene, kinds: tuple[str, ...]) -> Array:
         scene: the world.
         kinds: values of the family of words, such as "pyramid".
     """
-    found = [1.0 if not kinds or _of(item.type) in (None, *kinds) else 0.0 for item in scene.layout.things]
+    found = [1.0 if not kinds or kind_of(item.type) in (None, *kinds) else 0.0 for item in scene.layout.things]
     return np.array(found, dtype=float)
 
 
@@ -47,7 +47,7 @@ def is_type(noun: str, of: str) -> bool:
     return noun == name or any(noun == name + ending for ending in _ENDINGS)
 
 
-def _of(name: str) -> str | None:
-    """The kind that a world means by its name for a type; None where that leaves it open."""
+def kind_of(name: str) -> str | None:
+    """The kind that a world means by its name for a type, "block" by "cube"; None where that leaves it open."""
     table, word = vocabulary(), name.lower()
     return None if table.has("thing", word) else table.value("kind", word) or word

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from grounding.lexicon.vocabulary import vocabulary
 
-METRES = {"centimetre": 0.01, "millimetre": 0.001, "metre": 1.0, "inch": 0.0254}
+METRES = {"centimetre": 0.01, "millimetre": 0.001, "metre": 1.0, "inch": 0.0254, "foot": 0.3048, "yard": 0.9144}
 
 
 def is_stacking(word: str) -> bool:
@@ -63,6 +63,6 @@ def leads(word: str) -> str | None:
 
 
 def metres(word: str) -> float | None:
-    """The length of a metric unit or an inch [m], None for other words."""
+    """The length of a unit such as a centimetre or an inch [m], None for other words."""
     unit = vocabulary().value("unit", word)
     return None if unit is None else METRES[unit]

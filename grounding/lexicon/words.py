@@ -130,7 +130,17 @@ def is_surrounded(word: str) -> bool:
 
 def is_on(word: str) -> bool:
     """Whether a word puts something on top of another thing."""
-    return vocabulary().has("support", word)
+    return vocabulary().has("support", word, "on")
+
+
+def is_over(word: str) -> bool:
+    """Whether a preposition puts something above another thing whatever stands beside it: "over"."""
+    return vocabulary().has("preposition", word, "up")
+
+
+def is_off(word: str) -> bool:
+    """Whether a word takes something from what it stands on."""
+    return vocabulary().has("support", word, "off")
 
 
 def is_strict(word: str) -> bool:
@@ -180,8 +190,8 @@ def is_layout(word: str) -> bool:
 
 
 def is_measure(word: str) -> bool:
-    """Whether a noun measures distances in blocks."""
-    return vocabulary().has("measure", word)
+    """Whether a noun measures distances: in blocks, or as a unit of length."""
+    return vocabulary().has("measure", word) or vocabulary().has("unit", word)
 
 
 def is_negation(word: str) -> bool:

@@ -48,7 +48,7 @@ def mean_arrangement(reader: ReadsLiterally, noun: Noun) -> Meant:
         colors, number = colors or content.colors, number or content.number
         types = types or content.types
         rest += content.modifiers  # "the row of blocks on the left" lies there as a whole
-    if noun.plural:
+    if noun.plural or len(colors) > 1:
         raise Unread(noun.text)
     fits = kind.fitting(reader.scene, types, colors[:1])
     if not fits.any():

@@ -10,14 +10,23 @@ from grounding.numbers import listed
 from grounding.world.scene import Scene
 
 
-def without(scene: Scene, kinds: tuple[str, ...], colors: tuple[str, ...]) -> str:
-    """A sentence for people: that nothing is of some kinds and colours, and what there is."""
+def without(
+    scene: Scene, kinds: tuple[str, ...], colors: tuple[str, ...], called: tuple[str, ...] = ()
+) -> str:
+    """A sentence for people: that nothing is of some kinds and colours, and what there is.
+
+    Args:
+        scene: the world.
+        kinds: that were asked for.
+        colors: that were asked for.
+        called: the words for the kinds.
+    """
     layout = scene.layout
     there = sorted({item.color for item in layout.things if item.color != "unknown"})
     if not layout.things:
         return "there is nothing on the table"
     if not kind.truth(scene, kinds).any():
-        return f"there is no {listed(kinds, 'or')} here; the world has: {', '.join(sorted(layout.kinds))}"
+        return f"there is no {listed(called or kinds, 'or')} here; the world has: {', '.join(sorted(layout.kinds))}"
     what = listed(kinds, "or") if kinds else "block" if len(layout.kinds) > 1 else next(iter(layout.kinds))
     return f"there is no {listed(colors, 'or')} {what}" + (f"; what is here is {listed(there)}" if there else "")
 

@@ -5,8 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
-from grounding.geometry.masks import indices_of, single
+import numpy as np
+
+from grounding.geometry.masks import indices_of, mask_of, single
 from grounding.language.tree import Phrase
+from grounding.lexicon import words as w
+from grounding.lexicon.support import bare
 from grounding.literal.following import Follower
 from grounding.literal.prepositions import RELATIONS
 from grounding.literal.presupposed import forms
@@ -87,7 +91,8 @@ def read_literally(tree: Phrase, scene: Scene, history: Sequence[int] = ()) -> L
                        placed=placed)  # fmt: skip
     if not target:
         return None
-    options = [(ids[i],) for i in indices_of(target)]
+    handy = mask_of(int(i) for i in np.flatnonzero(reader.scene.clear)) & target
+    options = [(ids[i],) for i in indices_of(handy or target)]
     return Literal(tuple(options), kind=told.kind, rival=rival, vague=vague, placed=placed)
 
 
@@ -123,11 +128,13 @@ def _check(destination: Sequence[Phrase], target: int, reader: LiteralReader) ->
             if leads and not ranks and meant.chosen and itself:
                 raise Missing(f"{phrase.text!r} is what is to be moved itself", FIRM)
             if rival is None and phrase.leaves[0].text in _POINTING:
-                rival = _left_open(phrase, noun, meant, target, reader)
+                rival = _left_open(piece, phrase, noun, meant, target, reader)
     return rival
 
 
-def _left_open(phrase: Phrase, noun: Noun, meant: Meant, target: int, reader: LiteralReader) -> Rival | None:
+def _left_open(
+    piece: Phrase, phrase: Phrase, noun: Noun, meant: Meant, target: int, reader: LiteralReader
+) -> Rival | None:
     """The things of which one is meant by a definite noun that does not tell which."""
     if meant.chosen or meant.plural or meant.sort != "things":
         return None
@@ -138,6 +145,10 @@ def _left_open(phrase: Phrase, noun: Noun, meant: Meant, target: int, reader: Li
     if spoken_of and not noun.colors and not noun.modifiers:
         return None
     members = [i for i in indices_of(meant.pool) if not target >> i & 1]
+    if any(w.is_on(leaf.text) or "up" in w.directions(leaf.text) for leaf in piece.leaves[:3]):
+        moved = target.bit_length() - 1 if single(target) else -1
+        free = bare(reader.scene, moved)
+        members = [i for i in members if free[i] and not reader.scene.supports(i, moved)] or members
     return Rival(phrase.text, tuple(reader.layout.ids[i] for i in members)) if len(members) > 1 else None
 
 

@@ -42,6 +42,7 @@ class NounWords:
         self.behind: list[Word] = []
         self.last = False
         self.joined = False
+        self.mixed = False
         self.tint: str | None = None
 
     def take(self, word: Word, last: bool) -> None:
@@ -92,6 +93,7 @@ class NounWords:
     def _colour(self, name: str) -> None:
         """A colour, with the tint that was said before it: "light blue"."""
         told = name if self.tint is None else f"{self.tint}-{name}"
+        self.mixed |= self.joined and self.tint is None
         self.tint = None
         self.colors.append(told)
         self.counted.append((self.count, told))
@@ -220,6 +222,9 @@ class NounWords:
             said["size"], said["lone"], said["unstacked"] = 0, True, True  # "the small block"
         if head == "block" and (said.get("plural") and self.stacked or (said.get("size") and not self.stacked)):
             head, kinds = "container", ("tower",)
+            said["plural"] = False
+        if head == "block" and self.mixed:  # "the red-yellow block" is two of them, one on the other
+            head, kinds, self.types = "container", ("tower",), []
             said["plural"] = False
         modifiers = (Phrase("PP", tuple(self.behind)),) if self.behind else ()
         if head == "block" and self.stacked:

@@ -114,10 +114,19 @@ def _read(phrase: Phrase) -> Noun:
 
 def _following(before: tuple[Phrase, ...], after: tuple[Phrase, ...]) -> tuple[Phrase, ...]:
     """Modifiers in order; a bare direction takes what "of" names: "the box southwest" "of the tower"."""
-    bare = bool(before and after) and not before[-1].phrases and [word.text for word in after[0].words] == ["of"]
-    if bare and any(w.directions(word.text) for word in before[-1].words):
+    of = bool(before and after) and [word.text for word in after[0].words] == ["of"]
+    named = before[-1].phrases if of else ()
+    if of and len(named) == 1 and named[0].tag == "NP" and not named[0].phrases and _is_side(named[0]):
+        whole = Phrase("NP", (named[0], after[0]))  # "to right" "of the tower"
+        return (*before[:-1], Phrase("PP", (*before[-1].words, whole)), *after[1:])
+    if of and not named and any(w.directions(word.text) for word in before[-1].words):
         return (*before[:-1], Phrase("PP", (*before[-1].children, *after[0].children)), *after[1:])
     return (*before, *after)
+
+
+def _is_side(noun: Phrase) -> bool:
+    """Whether a noun phrase names nothing but directions: "right", "the top"."""
+    return all(w.directions(word.text) or word.tag == "DT" for word in noun.words)
 
 
 def _extended(phrase: Phrase, further: list[Phrase]) -> Phrase | None:

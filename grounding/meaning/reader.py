@@ -141,6 +141,9 @@ class Reader:
         first = read_noun(noun.conjoined[0])
         if first.head == "block" and all(not _has_noun(part) for part in noun.conjoined[1:]):
             return self.refer(replace(first, modifiers=(*first.modifiers, *noun.conjoined[1:], *noun.modifiers)))
+        whole = _coloured(noun)
+        if whole is not None:
+            return self.refer(whole)
         parts = tuple(self.phrase(part) for part in noun.conjoined)
         kinds = {kind for part in parts for kind in part.kinds}
         things = tuple(part for part in parts if part.sort in (OBJECTS, SETS))
@@ -149,6 +152,22 @@ class Reader:
         crossing = len(parts) == 2 and kinds == {"row", "column"}
         return Referent(SETS, parts=things, number=len(parts), plural=not crossing, crossing=crossing,
                         definite=noun.definite, text=noun.text)  # fmt: skip
+
+
+def _coloured(noun: Noun) -> Noun | None:
+    """One arrangement of which several colours are said: "the blue and" "green tower"; None for several things."""
+    parts = [read_noun(part) for part in noun.conjoined]
+    last, before = parts[-1], parts[:-1]
+    bare = all(p.colors and not (p.types or p.kinds or p.modifiers) and not _named(p) for p in before)
+    if not (bare and last.head == "container" and last.colors) or last.plural or last.text.startswith(("a ", "the ")):
+        return None
+    colors = tuple(dict.fromkeys(color for part in parts for color in part.colors))
+    return replace(last, colors=colors, definite=before[0].definite, modifiers=(*last.modifiers, *noun.modifiers),
+                   text=noun.text)  # fmt: skip
+
+
+def _named(noun: Noun) -> bool:
+    return any(w.is_block(text) or w.containers(text) for text in noun.text.split())
 
 
 def _content(modifier: Phrase) -> Noun | None:

@@ -28,7 +28,8 @@ def arrangement_cases(evaluator: Evaluates, referent: Referent) -> list[Case]:
     scene, conditions = evaluator.scene, referent.conditions
     stuff = base_of(scene, conditions) > 0.5
     number = None if referent.plural else referent.number
-    found = evaluator.arrangements(referent.kinds, stuff, number)
+    colours = tuple(word for c in conditions if c.concept == "colour" and not c.negated for word in c.words)
+    found = evaluator.arrangements(referent.kinds, stuff, number, colours)
     lines = _counted_lines(scene, referent, stuff) if referent.number is None else []
     cases = []
     if referent.plural:
@@ -171,7 +172,8 @@ def conjoined_cases(evaluator: Evaluates, referent: Referent) -> list[Case]:
                 crossing = referent.crossing and number > 0
                 together = mask & other if crossing else mask | other
                 if together.any() and (crossing or not (mask & other).any()):
-                    joined.append((together, chance * likely))
+                    apart = value("arrangement.apart") if scene.towers and not _one_place(scene, together) else 1.0
+                    joined.append((together, chance * likely * apart))
         found = sorted(joined, key=lambda item: -item[1])[: 2 * TRIED]
     if not found:
         return []
@@ -179,6 +181,11 @@ def conjoined_cases(evaluator: Evaluates, referent: Referent) -> list[Case]:
     case = Case(len(found), np.ones(len(found)), np.array([mask for mask, _ in found]))
     case.add("set", np.log(chances))
     return [case]
+
+
+def _one_place(scene: Scene, mask: np.ndarray) -> bool:
+    """Whether objects stand on each other: "the red and the blue block" are a tower where there are towers."""
+    return any(set(np.flatnonzero(mask)) <= set(tower) for tower in scene.towers)
 
 
 def _likeliest(evaluator: Evaluates, part: Referent) -> list[tuple[np.ndarray, float]]:

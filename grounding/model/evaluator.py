@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from grounding.lexicon import arrangement, place
+from grounding.lexicon import arrangement, colour, place
 from grounding.lexicon.parameters import values
 from grounding.lexicon.where import Where
 from grounding.meaning.notation import write_referent
@@ -22,6 +22,10 @@ KEPT = 200
 EVEN = Weights({"set": 1.0, "looks": 1.0, "number": 1.0, "shadow": 1.0, "parse": 0.5, "parse.long": 0.3, "buried": -2.3,
                 "stacked": -1.0})  # fmt: skip
 """Equal weights for all concepts."""
+
+
+_Asked = tuple[tuple[str, ...], bytes, int | None, tuple[str, ...]]
+"""Kinds of arrangement, of which objects they are made, their number, and the colours that were said."""
 
 
 class Evaluator:
@@ -46,7 +50,7 @@ class Evaluator:
         self._alike: dict[tuple[str, bytes, bool], Denotation] = {}
         self._candidates: dict[str, tuple[Case, ...]] = {}
         self._values = values()
-        self._arranged: dict[tuple[tuple[str, ...], bytes, int | None], tuple[arrangement.Candidate, ...]] = {}
+        self._arranged: dict[_Asked, tuple[arrangement.Candidate, ...]] = {}
 
     def renewed(self) -> Evaluator:
         """Itself for another text: what referents mean by their words is kept, as long as that is not too much.
@@ -67,12 +71,13 @@ class Evaluator:
                                corner=region.corner, rim=region.rim, table=region.table)  # fmt: skip
 
     def arrangements(
-        self, kinds: tuple[str, ...], stuff: np.ndarray, number: int | None
+        self, kinds: tuple[str, ...], stuff: np.ndarray, number: int | None, colours: tuple[str, ...] = ()
     ) -> tuple[arrangement.Candidate, ...]:
         """The arrangements of some kinds among objects, found once; see `arrangement.candidates`."""
-        key = (kinds, stuff.tobytes(), number)
+        key = (kinds, stuff.tobytes(), number, colours)
         if key not in self._arranged:
-            self._arranged[key] = tuple(arrangement.candidates(self.scene, kinds, stuff, number))
+            parts = [colour.truth(self.scene, (name,)) for name in colours] if len(colours) > 1 else []
+            self._arranged[key] = tuple(arrangement.candidates(self.scene, kinds, stuff, number, parts))
         return self._arranged[key]
 
     def denote(self, referent: Referent, base: Array | None = None, *, carrying: bool = False) -> Denotation:

@@ -46,7 +46,7 @@ class Evaluates(Protocol):
         """A place as whoever is meant sees it."""
 
     def arrangements(
-        self, kinds: tuple[str, ...], stuff: np.ndarray, number: int | None
+        self, kinds: tuple[str, ...], stuff: np.ndarray, number: int | None, colours: tuple[str, ...] = ()
     ) -> tuple[arrangement.Candidate, ...]:
         """The arrangements of some kinds among objects."""
 

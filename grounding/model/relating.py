@@ -21,8 +21,10 @@ def _toward(evaluator: Evaluates, condition: Condition, base: Array) -> Held:
     scene = evaluator.scene
     reference = evaluator.denote(condition.of[0], base)
     if {"up", "down"} & set(condition.words) and scene.towers:
-        height = direction.vertical(evaluator.where, scene, 1.0 if "up" in condition.words else -1.0)
-        found = related(reference, height, np.ones_like(height))
+        upward = "up" in condition.words
+        height = direction.vertical(evaluator.where, scene, 1.0 if upward else -1.0)
+        below = evaluator.denote(condition.of[0], base, carrying=True) if upward else reference
+        found = related(below, height, np.ones_like(height))
         if found.truth.max(initial=0.0) > 0.3:
             return found
     vector = direction.unit(scene, condition.words, condition.owner or evaluator.view)

@@ -100,7 +100,13 @@ def _on(evaluator: Evaluates, condition: Condition, base: Array) -> Held:
     scene = evaluator.scene
     reference = evaluator.denote(condition.of[0], base, carrying=True)
     over = direction.vertical(evaluator.where, scene, 1.0)
-    return related(reference, over, np.ones_like(over))
+    if not condition.of[0].kinds:
+        return related(reference, over, np.ones_like(over))
+    above, top = np.zeros(scene.n), np.zeros(scene.n)  # what stands on a tower may be a part of it
+    for mask, chance in reference.sets[:SETS]:
+        above = np.maximum(above, chance * over[:, mask].max(axis=1, initial=0.0) * ~mask)
+        top = np.maximum(top, chance * mask * (scene.z >= scene.z[mask].max(initial=-np.inf)))
+    return plain(np.maximum(above, top))
 
 
 def _on_table(evaluator: Evaluates, condition: Condition, base: Array) -> Held:

@@ -61,6 +61,21 @@ def find_anchors(nouns: Sequence[Noun], source: int, points: Array, reader: Phra
     return _boxes(found, points)
 
 
+def carrying(anchors: Anchors, bare: np.ndarray) -> Anchors:
+    """Of what something may go on top of, what carries nothing yet; all of it where everything carries something.
+
+    Args:
+        anchors: hypotheses.
+        bare: which objects carry nothing, shape (n,).
+    """
+    free = np.array([any(bare[i] for i in members) for members in anchors.members])
+    if free.all() or not free.any():
+        return anchors
+    kept = np.flatnonzero(free)
+    share = anchors.share[kept] / anchors.share[kept].sum() * anchors.share.sum()
+    return Anchors(tuple(anchors.members[i] for i in kept), share, anchors.low[kept], anchors.high[kept])
+
+
 def around(source: int, points: Array) -> Anchors:
     """The place where something stands itself."""
     return Anchors(((source,),), np.ones(1), points[[source]], points[[source]])

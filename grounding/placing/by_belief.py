@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from grounding.language.tree import Phrase
 from grounding.lexicon import words as w
-from grounding.meaning.goal.units import in_spaces
 from grounding.model.belief import Belief, Reading
 from grounding.model.phrases import reader_of
 from grounding.placing.spots import FoundSpot, agreed, find_spot, leads, leads_off
@@ -83,13 +82,11 @@ def _source(belief: Belief, objects: tuple[str, ...]) -> int | None:
 def _find(reading: Reading, source: int) -> FoundSpot | None:
     told = reading.told
     whole = told.whole if told.kind == "place" else None
-    if whole is not None:
-        whole = in_spaces(whole, reading.evaluator.scene.edge)
     return find_spot(_pieces(reading), source, reader_of(reading), whole)
 
 
 def _pieces(reading: Reading) -> list[Phrase]:
-    return [in_spaces(piece, reading.evaluator.scene.edge) for piece in reading.told.destination]
+    return list(reading.told.destination)
 
 
 def _leads(piece: Phrase) -> bool:

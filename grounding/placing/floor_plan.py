@@ -7,6 +7,7 @@ from weakref import WeakKeyDictionary
 
 import numpy as np
 
+from grounding.lexicon.support import bare
 from grounding.world import Array
 from grounding.world.scene import Scene
 
@@ -47,6 +48,8 @@ class FloorPlan:
         level: which block of a stack each is, counted from 1 at the table, shape (n,).
         axes: "right" and "back" in the world, shape (2, 2).
         edge: [m].
+        pitch: from one place to the next, side by side or on a board [edges].
+        board: number of squares along the axes where there is a board, shape (2,).
         centre: of the table, or of what surrounds the objects where there is none, shape (2,).
         half: its half extents, shape (2,).
         spots: a grid, and what surrounds every object, shape (s, 2).
@@ -60,6 +63,8 @@ class FloorPlan:
     level: np.ndarray
     axes: Array
     edge: float
+    pitch: float
+    board: Array | None
     centre: Array
     half: Array
     spots: Array
@@ -97,7 +102,8 @@ def find_places(plan: FloorPlan, scene: Scene, source: int, exact: Array) -> Pla
     near = _inside(exact, plan.centre, plan.half) & ~_overlaps(exact, plan.points[others], plan.reach[others]).any(
         axis=0
     )
-    tops = np.array([i for i in others if scene.clear[i] and scene.apart[i, source] > 0.5 * scene.edge], dtype=int)
+    carrying = bare(scene)
+    tops = np.array([i for i in others if carrying[i] and scene.apart[i, source] > 0.5 * scene.edge], dtype=int)
     lying = int(free.sum() + near.sum())
     return Places(
         np.concatenate([plan.spots[free], exact[near], plan.points[tops]]),
@@ -116,11 +122,13 @@ def _draw(scene: Scene, view: str) -> FloorPlan:
     else:
         low, high = points.min(axis=0, initial=0.0), points.max(axis=0, initial=0.0)
         centre, half = (low + high) / 2, (high - low) / 2 + _REACH
-    grid = _grid(centre, half)
-    beside = (points[:, None] + _AROUND).reshape(-1, 2)
+    board = scene.board
+    grid = _grid(centre, half) if board is None else board.centres @ axes.T / scene.edge
+    surrounding = _AROUND if board is None else _AROUND[:0]
+    beside = (points[:, None] + surrounding).reshape(-1, 2)
     spots = np.concatenate([grid, beside])
-    prior = np.concatenate([np.full(len(grid), _CELL), np.tile(_SHARES, len(points))])
-    around = np.concatenate([np.full(len(grid), -1), np.repeat(np.arange(len(points)), len(_AROUND))])
+    prior = np.concatenate([np.full(len(grid), _CELL), np.tile(_SHARES[: len(surrounding)], len(points))])
+    around = np.concatenate([np.full(len(grid), -1), np.repeat(np.arange(len(points)), len(surrounding))])
     prior = np.where(_inside(spots, centre, half), prior, 0.0)
     sizes = np.array([float(item.size[:2].max()) for item in scene.layout.things])
     reach = 0.5 * (1.0 + sizes / scene.edge)
@@ -128,7 +136,9 @@ def _draw(scene: Scene, view: str) -> FloorPlan:
     level = np.ones(scene.n, dtype=int)
     for tower in scene.towers:
         level[list(tower)] = np.arange(1, len(tower) + 1)
-    return FloorPlan(points, reach, level, axes, scene.edge, centre, half, spots, prior, around, taken)
+    squares = None if board is None else np.round(np.abs(axes) @ np.array(board.shape))
+    pitch = PITCH if board is None else board.pitch / scene.edge
+    return FloorPlan(points, reach, level, axes, scene.edge, pitch, squares, centre, half, spots, prior, around, taken)
 
 
 def _grid(centre: Array, half: Array) -> Array:

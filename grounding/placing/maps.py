@@ -8,6 +8,7 @@ import numpy as np
 
 from grounding.lexicon.degrees import gaussian
 from grounding.meaning.goal.clues import Clue, Offset
+from grounding.meaning.goal.lengths import Metres
 from grounding.model.phrases import PhraseReader
 from grounding.placing.anchors import Anchors
 from grounding.placing.floor_plan import PITCH, FloorPlan, Places
@@ -21,6 +22,7 @@ STRETCH = {1: 1.2, 2: 1.14}
 """The length of people's steps, by the number of axes along which they go [edges]: a step leaves a gap."""
 FROM_CENTRE, FROM_SIDE = 1.0, 0.45
 """Weights of counting blocks from the centre of something, and of counting between the sides."""
+EXACT = 0.1  # how far off something is that was measured [edges]
 OTHERWISE = 0.1  # how often a tower comes to be lower or higher than is said
 SET_DOWN = 1.0  # within how many edges something is set down where only the table is named
 BESIDE = {"": 1.3, "slightly": 0.8, "far": 4.0}  # how far from a reference [edges]
@@ -33,13 +35,16 @@ class Shift:
         offsets: one after the other.
         reader: whose view is taken where nobody is named.
         axes: "right" and "back", shape (2, 2).
+        square: width of the squares of a board [edges], 0 where there is none.
     """
 
-    def __init__(self, offsets: Sequence[Offset], reader: PhraseReader, axes: Array) -> None:
+    def __init__(self, offsets: Sequence[Offset], reader: PhraseReader, axes: Array, square: float = 0.0) -> None:
+        self.square = square
         self.steps = np.zeros(2)
         self.open = np.zeros(2)
         self.extent = [""] * 2
         self.said = np.zeros(2, dtype=bool)
+        self.metric = np.zeros(2, dtype=bool)
         for offset in offsets:
             flat = [_FLAT.get(name, name) for name in offset.names]
             vector = np.zeros(2)
@@ -50,16 +55,21 @@ class Shift:
                 if offset.steps is None:
                     self.open[k] = np.sign(vector[k])
                     self.extent[k] = offset.extent or self.extent[k]
+                    continue
+                self.said[k] = True
+                if isinstance(offset.steps, Metres):
+                    self.metric[k] = True
+                    self.steps[k] += vector[k] * offset.steps / reader.scene.edge
                 else:
                     self.steps[k] += vector[k] * offset.steps
-                    self.said[k] = True
         self.open[self.said] = 0.0
         self.far = any(offset.counted == "sides" for offset in offsets)
 
     @property
     def lengths(self) -> Array:
         """Said lengths of a way, shape (2,) [edges]."""
-        return np.asarray(self.steps * STRETCH[max(1, int((self.said | (self.open != 0)).sum()))])
+        stretch = self.square or STRETCH[max(1, int((self.said | (self.open != 0)).sum()))]
+        return np.asarray(np.where(self.metric, self.steps, self.steps * stretch))
 
     @property
     def typical(self) -> Array:
@@ -79,11 +89,11 @@ def moved(shift: Shift, start: Array, points: Array) -> Array:
     for k in range(2):
         along = points[:, k] - start[k]
         if shift.said[k]:
-            total *= gaussian(along - wanted[k], 0.25 + 0.12 * abs(wanted[k]))
+            total *= gaussian(along - wanted[k], EXACT if shift.metric[k] else 0.25 + 0.12 * abs(wanted[k]))
         elif shift.open[k]:
             total *= _logarithmic(along * shift.open[k], shift.typical[k])
         else:
-            total *= gaussian(along, 0.7 if vague else 0.35)
+            total *= gaussian(along, EXACT if shift.metric.any() else 0.7 if vague else 0.35)
     return total
 
 
@@ -101,11 +111,14 @@ def offset_from(shift: Shift, anchors: Anchors, points: Array, strict: bool) -> 
             sign = np.sign(shift.steps[k]) or 1.0
             along = (at - np.where(sign > 0, high, low)) * sign
             steps = abs(shift.steps[k])
+            if shift.metric[k]:
+                total *= gaussian(along - (steps + 1.0), EXACT)  # from side to side
+                continue
             width = 0.25 + 0.1 * steps
-            centre = gaussian(along - 1.1 * steps * PITCH, width)
+            centre = gaussian(along - steps * (shift.square or 1.1 * PITCH), width)
             total *= (
                 np.maximum(FROM_CENTRE * centre, FROM_SIDE * gaussian(along - (steps + 1) * PITCH, width))
-                if shift.far
+                if shift.far and not shift.square
                 else centre
             )
         elif shift.open[k]:
@@ -114,6 +127,9 @@ def offset_from(shift: Shift, anchors: Anchors, points: Array, strict: bool) -> 
         else:
             off = np.maximum(np.maximum(low - at, at - high), 0.0)
             centred = np.abs(at - (low + high) / 2)
+            if shift.metric.any():
+                total *= gaussian(centred, EXACT)
+                continue
             total *= gaussian(off, 0.2 if strict else 0.4) * gaussian(centred, 0.8 + (high - low))
     return total
 
@@ -218,6 +234,25 @@ def _way(start: Array, span: Array, points: Array) -> tuple[Array, Array, Array]
     off = points[:, None] - start
     across = np.abs(off[..., 0] * span[:, 1] - off[..., 1] * span[:, 0]) / length
     return (off * span).sum(axis=2) / length, across, length
+
+
+def part_of_way(clue: Clue, edge: float) -> float | None:
+    """How far a clue goes towards or away from something [edges], None where it does not say."""
+    steps = clue.offsets[0].steps if clue.offsets else None
+    if steps is None:
+        return None
+    return float(steps) / edge if isinstance(steps, Metres) else steps * STRETCH[1]
+
+
+def ends_of_way(start: Array, anchors: Anchors, length: float) -> Array:
+    """Where a way of some length towards each hypothesis ends, away from it where the length is negative, (h, 2)."""
+    span = anchors.centre - start
+    return np.asarray(start + length * span / np.maximum(np.linalg.norm(span, axis=1, keepdims=True), 1e-9))
+
+
+def at_ends(ends: Array, points: Array) -> Array:
+    """How well points (p, 2) are where ways end, shape (p, h)."""
+    return np.asarray(gaussian(np.linalg.norm(points[:, None] - ends, axis=2), EXACT))
 
 
 def leaving(start: Array, anchors: Anchors, points: Array) -> Array:

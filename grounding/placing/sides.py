@@ -23,29 +23,37 @@ _EVERY_CORNER = np.array([[1.0, 1], [1, -1], [-1, 1], [-1, -1]])
 def _target(clue: Clue, plan: FloorPlan, reader: PhraseReader) -> tuple[Array, Array]:
     """Middles (m, 2) and widths (2,) of parts of the table in edges: all four where a corner is named by no side."""
     noun = clue.nouns[0]
+    out, along = np.full(2, OUT), np.full(2, ALONG)
+    if plan.board is not None:
+        out, along = 1.0 - 1.0 / plan.board, 0.5 / plan.board
     if noun.place == "corner" and not noun.directions and not noun.middle:
-        return np.asarray(plan.centre + _EVERY_CORNER * OUT * plan.half), np.asarray(ALONG * plan.half)
+        return np.asarray(plan.centre + _EVERY_CORNER * out * plan.half), np.asarray(along * plan.half)
     flat = dict.fromkeys({"up": "back", "down": "front"}.get(name, name) for name in noun.directions)
     vector = np.zeros(2)
     for name in flat:
         vector += np.round(plan.axes @ reader.scene.direction(name, noun.agent or reader.view))
     vector = np.clip(vector, -1, 1)
     seen = np.array([0.0, -SLANT if vector[1] == 0 else 0.0])  # the middle of the picture is nearer than the table's
-    centre = plan.centre + (vector * OUT + seen) * plan.half
+    centre = plan.centre + (vector * out + seen) * plan.half
     named = np.abs(vector) > 0.5
     free = ~named & bool(flat) & (not noun.middle)
-    return np.asarray(centre[None]), np.asarray(np.where(free, ACROSS, ALONG) * plan.half)
+    return np.asarray(centre[None]), np.asarray(np.where(free, ACROSS, along) * plan.half)
+
+
+def _shifted(shift: Shift) -> Array:
+    """How far to go from the middle of a part of the table [edges]."""
+    return np.asarray(np.where(shift.metric, shift.steps, (shift.steps + shift.open) * PITCH))
 
 
 def side_points(clue: Clue, shift: Shift, plan: FloorPlan, reader: PhraseReader) -> Array:
     """The points that are meant most, shape (m, 2) in edges."""
     centres, _ = _target(clue, plan, reader)
-    return np.asarray(centres + (shift.steps + shift.open) * PITCH)
+    return np.asarray(centres + _shifted(shift))
 
 
 def side_map(clue: Clue, shift: Shift, points: Array, plan: FloorPlan, reader: PhraseReader) -> Array:
     """Measure how well points (p, 2) lie in a part of the table."""
     centres, width = _target(clue, plan, reader)
-    centres = centres + (shift.steps + shift.open) * PITCH
+    centres = centres + _shifted(shift)
     away = (points[:, None] - centres[None]) / width
     return np.asarray(gaussian(away, 1.0).prod(axis=2).max(axis=1))

@@ -12,6 +12,7 @@ from grounding.meaning.goal.clues import RELATION, Clue
 from grounding.meaning.goal.items import Item, line_up
 from grounding.meaning.goal.listening import listen
 from grounding.model.phrases import PhraseReader
+from grounding.placing import maps
 from grounding.placing.completing import completing
 from grounding.placing.finger_room import leave_room
 from grounding.placing.floor_plan import FloorPlan, Places, find_places, lay_out
@@ -26,6 +27,7 @@ NEAR = 0.6  # places so close [edges] are as good as one another
 UNPARTED = 0.7  # how much a place counts that was found in a text whose parts are not known
 HELD = 0.01  # where no clue agrees so much with any place, there is no room where it would
 UNTRUE = 0.2  # where between two things no place is truer than this there is no room
+MEASURED = 0.01  # the same of what was measured
 STAYING = 0.3  # what goes less far [edges] is not moved
 NEARER = 75.0  # of places that the words leave open the nearer ones are preferred, fading over so many edges
 _KEPT = 60  # of the best places are compared
@@ -84,7 +86,7 @@ def leads_off(phrases: Iterable[Phrase], source: int, reader: PhraseReader) -> b
     """Tells whether a way is told, with its lengths, that ends where there is no table."""
     plan = lay_out(reader.scene, reader.view)
     for clue in listen(line_up(phrases)):
-        shift = Shift(clue.offsets, reader, plan.axes)
+        shift = Shift(clue.offsets, reader, plan.axes, 0.0 if plan.board is None else plan.pitch)
         if clue.relation == "own" and shift.said.any():
             end = plan.points[source] + shift.lengths
             if bool((np.abs(end - plan.centre) > plan.half).any()):
@@ -126,9 +128,14 @@ def _settle(clues: list[Clue], source: int, reader: PhraseReader) -> FoundSpot |
     if not len(places.points):
         return None
     stacked = any(g.clue.relation in ("on", "tower") for g in grounded)
-    belief = np.where(places.support >= 0, 1.0 if stacked else UNSAID_TOP, 1.0) * places.prior
+    squares = plan.board is not None and all(g.clue.relation in ("place", "own") for g in grounded)
+    if squares:  # a square is meant, whatever stands there
+        belief = np.ones(len(places.points))
+    else:
+        belief = np.where(places.support >= 0, 1.0 if stacked else UNSAID_TOP, 1.0) * places.prior
     away = np.abs(places.points - plan.points[source]).max(axis=1)
-    belief = belief * (away > STAYING) * np.exp(-away / NEARER)
+    measured = any(g.shift.metric.any() or maps.part_of_way(g.clue, scene.edge) is not None for g in grounded)
+    belief = belief * (away > (MEASURED if measured else STAYING)) * np.exp(-away / NEARER)
     held, true = [], []
     for g in grounded:
         single, truth = agreement(g, places, source, plan, reader), truth_of(g, places, plan, reader)
@@ -141,8 +148,9 @@ def _settle(clues: list[Clue], source: int, reader: PhraseReader) -> FoundSpot |
         belief = belief * (
             floor + (1 - floor) * (single.max(axis=1) if g.anchors is None else single @ g.anchors.share)
         )
-    spot = _choose(places, belief, grounded, held, true, plan)
-    if spot is None or spot.on or any(clue.relation == "touch" or clue.strict for clue in clues):
+    spot = _choose(places, belief, grounded, held, true, plan, measured=measured)
+    exact = measured or plan.board is not None or any(clue.relation == "touch" or clue.strict for clue in clues)
+    if spot is None or spot.on or exact:
         return spot
     return replace(spot, point=leave_room(spot.point, source, scene))
 
@@ -153,9 +161,10 @@ def _tells_where(clue: Clue, source: int, plan: FloorPlan) -> bool:
 
 
 def _choose(
-    places: Places, belief: Array, grounded: list[GroundedClue], held: list[Array], true: list[Array], plan: FloorPlan
-) -> FoundSpot | None:
-    """The place with the most belief around it."""
+    places: Places, belief: Array, grounded: list[GroundedClue], held: list[Array], true: list[Array],
+    plan: FloorPlan, *, measured: bool,
+) -> FoundSpot | None:  # fmt: skip
+    """The place with the most belief around it, or where it was measured the one with most belief."""
     kept = np.argpartition(-belief, min(_KEPT, len(belief) - 1))[:_KEPT]
     kept = kept[np.lexsort((kept, -belief[kept]))]
     weights = belief[kept]
@@ -166,7 +175,7 @@ def _choose(
     norm = (points**2).sum(axis=1)
     square = norm[:, None] + norm - 2 * points @ points.T
     gain = np.exp(-0.5 * square / NEAR**2) @ weights
-    best = int(np.argmax(gain))
+    best = int(np.argmax(weights if measured else gain))
     if all(float(single[kept[best]].max()) < HELD for single in held):
         return None
     if any(float(truth[kept[best]]) < UNTRUE for truth in true):

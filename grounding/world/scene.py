@@ -11,6 +11,7 @@ from grounding.geometry.layout import Layout
 from grounding.geometry.masks import indices_of, mask_of
 from grounding.lazy import lazy
 from grounding.world import ROBOT_VIEWPOINT, Array, Viewpoint
+from grounding.world.board import Board, find_board
 
 ROBOT, SPEAKER = "robot", "speaker"
 SPREAD = 0.5
@@ -120,6 +121,11 @@ class Scene:
         return np.asarray(np.maximum(found, 0.0))
 
     @lazy
+    def board(self) -> Board | None:
+        """The squares on which everything stands, or None."""
+        return find_board(self.layout.world, self.edge)
+
+    @lazy
     def halves(self) -> Array:
         """Half extents of the boxes along x and y as they lie unturned, shape (n, 2) in [m]."""
         return np.array([item.size[:2] / 2 for item in self.layout.things]).reshape(-1, 2)
@@ -154,6 +160,10 @@ class Scene:
             top = max(self.z[i] for i in tower)
             mask[[i for i in tower if self.z[i] < top - 0.3 * self.edge]] = False
         return mask
+
+    def supports(self, below: int, above: int) -> bool:
+        """Whether one object stands somewhere below another in a stack."""
+        return any(below in tower and above in tower and self.z[below] < self.z[above] for tower in self.towers)
 
     @lazy
     def salience(self) -> Array:

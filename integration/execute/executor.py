@@ -128,7 +128,7 @@ class Executor:
                     refuse_beyond_hands(grounding.actions)
                 stage.settle(tuple(name for action in grounding.actions for name in action.objects))
                 for action in grounding.actions:
-                    done += carry_out(stage, action, self._arm)
+                    done += carry_out(stage, action, action.arm or self._arm)
                 outcome, message, reason = _verdict(done, grounding.actions, stage)
             except NoPlan as error:
                 outcome, message, reason = NO_PLAN, _after(stage.handled) + str(error), error.reason

@@ -5,7 +5,7 @@ from __future__ import annotations
 from grounding.language.tree import Phrase, Word
 from grounding.meaning.discourse.mending import as_sentence, mended
 from grounding.meaning.discourse.parts import is_existential
-from grounding.meaning.discourse.verbs import BEING, HANDLING, is_verbal
+from grounding.meaning.discourse.verbs import BEING, HANDLING, MAKING, is_verbal, plain_form
 
 _KEPT = "clauses"
 
@@ -45,6 +45,9 @@ def _clauses(tree: Phrase) -> list[Phrase]:
         if command is not None:
             following = Phrase("VP", tuple(c for c in command.children if c not in _leading(command)))
             return [_without(tree, command), *_clauses(following)]
+    way = _way_of_making(tree)
+    if way is not None:
+        return _clauses(way)
     if tree.tag == "VP":
         place = next((i for i, child in enumerate(tree.children) if i > 1 and _is_coordinate(tree, i, child)), None)
         if place is not None:
@@ -55,6 +58,18 @@ def _clauses(tree: Phrase) -> list[Phrase]:
     if tree.tag in ("VP", "S") and sum(tag in ("VP", "S") for tag in tags) > 1 and "NP" not in tags:
         return _clauses_below(tree.phrases)
     return [tree]
+
+
+def _way_of_making(tree: Phrase) -> Phrase | None:
+    """What is to be done so that something comes about: "make a tower by putting X on Y" asks to put X on Y."""
+    making = tree.tag in ("VP", "S") and any(word.text in MAKING for word in tree.leaves[:1])
+    for phrase in tree.preorder() if making else ():
+        head = phrase.children[0]
+        if phrase.tag == "VP" and isinstance(head, Word) and any(child.tag == "NP" for child in phrase.phrases):
+            verb = plain_form(head.text)
+            if verb is not None:
+                return Phrase("VP", (Word(verb, "VB", head.index), *phrase.children[1:]))
+    return None
 
 
 def _clauses_below(phrases: tuple[Phrase, ...] | list[Phrase]) -> list[Phrase]:

@@ -50,6 +50,12 @@ def is_verbal(text: str) -> bool:
     return text in LOOKING or text in BEING or any(text in words for words in HANDLING.values())
 
 
+def plain_form(participle: str) -> str | None:
+    """The verb of handling of which a word is the participle: "put" of "putting"; None for other words."""
+    verbs = (verb for words in HANDLING.values() for verb in words)
+    return next((v for v in verbs if participle in (f"{v}ing", f"{v}{v[-1]}ing", f"{v[:-1]}ing")), None)
+
+
 def _goes_away(clause: Phrase) -> bool:
     """Whether the particle of a clause's own verb says so: "take it away", but not "put it away from the tower"."""
     for child, following in zip_longest(clause.phrases, clause.phrases[1:]):

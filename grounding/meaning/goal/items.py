@@ -7,8 +7,8 @@ from dataclasses import dataclass, replace
 
 from grounding.language.tree import Phrase, Word
 from grounding.lexicon import words as w
-from grounding.lexicon.whereto import is_story
-from grounding.meaning.goal.lengths import LINES, is_length, number, opens_distance, peeled
+from grounding.lexicon.whereto import is_story, metres
+from grounding.meaning.goal.lengths import LINES, Metres, is_length, number, opens_distance, peeled
 from grounding.meaning.nouns import Noun, read_noun
 
 _MOVING = frozenset("place put move set stack position lay slide shift".split())
@@ -42,7 +42,7 @@ def line_up(phrases: Iterable[Phrase]) -> list[Item]:
     items: list[Item] = []
     for phrase in phrases:
         _enter(phrase, items)
-    return _joined(items)
+    return _metric(_joined(items))
 
 
 def _enter(phrase: Phrase, items: list[Item]) -> None:
@@ -193,6 +193,23 @@ def _part(phrase: Phrase, noun: Noun, items: list[Item]) -> None:
         items.append(Item("place", phrase.text, noun=noun))
     else:
         _spread(phrase, items)
+
+
+def _metric(items: list[Item]) -> list[Item]:
+    """Numbers with a unit of length as one item: "10 cm", "half a metre"."""
+    found: list[Item] = []
+    for item in items:
+        unit = metres(item.text) if item.kind == "length" else None
+        back = 2 if len(found) > 1 and found[-1].text in ("a", "an", "of") else 1
+        if unit is not None and len(found) >= back and found[-back].kind == "number":
+            number_of = found[-back]
+            found[-back:] = [replace(number_of, text=f"{number_of.text} {item.text}",
+                                     value=Metres(number_of.value * unit))]  # fmt: skip
+        elif unit is not None and found and found[-1].text in ("a", "an"):
+            found[-1] = Item("number", f"{found[-1].text} {item.text}", Metres(unit))
+        else:
+            found.append(item)
+    return found
 
 
 def _joined(items: list[Item]) -> list[Item]:

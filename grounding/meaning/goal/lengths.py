@@ -22,6 +22,10 @@ _RELATING = frozenset("between on onto of touching touches touch next with by be
 _THINGS = ("block", "container", "pronoun", "table")
 
 
+class Metres(float):
+    """A length in metres; other lengths count blocks."""
+
+
 def number(text: str) -> float | None:
     """The number that a word says, parts included."""
     if text in _AMOUNTS:

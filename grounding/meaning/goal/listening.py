@@ -104,7 +104,7 @@ class _Listener(Memory):
     def _word(self, place: int, text: str) -> None:
         following = self.items[place + 1].text if self._plain(place + 1) else ""
         led = g.leads(text)
-        names = w.directions(text) if led is None else (led,)
+        names = w.directions(text) or (() if led is None else (led,))
         person = w.agent(text)
         if text == "right" and following in EMPHASIZED:
             self.strict = True
@@ -117,9 +117,10 @@ class _Listener(Memory):
             self.flush()
             self.since = []
             return
-        elif self.relation == "toward" and person in _PEOPLE:
-            self.relation = ""
-            self.passed = direct(self, self.items, place, (_PEOPLE[person or ROBOT],))
+        elif self.relation in ("toward", "apart") and person in _PEOPLE:
+            name = _PEOPLE[person or ROBOT]
+            name, self.relation = name if self.relation == "toward" else w.OPPOSITE[name], ""
+            self.passed = direct(self, self.items, place, (name,))
             return
         else:
             self._relate(place, text)
@@ -138,7 +139,7 @@ class _Listener(Memory):
             self.relation = "between"
         elif (related := w.related(text)) is not None:
             self.relation = RELATION + related
-        elif w.is_apart([text]) and following_from and self.number is None and not self.offsets:
+        elif w.is_apart([text]) and following_from and not self.offsets:
             self.relation = "apart"
         elif g.is_aligning(text):
             self.relation = "align"
@@ -148,12 +149,20 @@ class _Listener(Memory):
             self.relation = "toward"
         elif g.is_stacking(text):
             self._stack(text)
-        elif w.is_beside(text) or text == "against":
+        elif (w.is_beside(text) and not self._counts(place)) or text == "against":
             self.relation = self.relation or "near"
-        elif w.is_on(text) and not side_follows(self.items, place):
+        elif (w.is_on(text) and not side_follows(self.items, place)) or self._covers(text, place):
             self.relation = "on"
         elif g.is_inside(text) and not self.relation:
             self.relation = "in" if thing_follows(self.items, place) else ""
+
+    def _counts(self, place: int) -> bool:
+        """Tells whether a number follows: "by 5 cm" tells how far."""
+        return place + 1 < len(self.items) and self.items[place + 1].kind == "number"
+
+    def _covers(self, text: str, place: int) -> bool:
+        """Tells whether a word puts something over a thing, not over to a side."""
+        return w.is_over(text) and not self.offsets and thing_follows(self.items, place)
 
     def _stack(self, text: str) -> None:
         if g.is_story(text) and (self.number or self.rank):

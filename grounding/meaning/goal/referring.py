@@ -40,7 +40,8 @@ def refer(memory: Memory, noun: Noun | None) -> None:
         memory.flush()
         relation = relation or _unsaid(memory, noun)
         if relation:
-            memory.clues.append(Clue(relation, (noun,), axis=memory.axis, strict=memory.strict))
+            far = () if memory.number is None or relation not in ("toward", "apart") else (Offset((), memory.number),)
+            memory.clues.append(Clue(relation, (noun,), far, axis=memory.axis, strict=memory.strict))
     if relation == "on":
         memory.tower = False
     memory.forget()

@@ -109,6 +109,20 @@ def _on_table(reader: Reads, heard: Heard, noun: Noun, reference: Referent) -> l
     return [Condition("on_table")] if reference.sort == TABLE and heard.last == "on" else None
 
 
+def _off(reader: Reads, heard: Heard, noun: Noun, reference: Referent) -> list[Condition] | None:
+    """For example "off the red block", "from the tower": on which it stands."""
+    stands = reference.sort == OBJECTS or (reference.sort == SETS and reference.kinds[:1] == ("tower",))
+    if not stands or reference.plural or noun.head == "place":
+        return None
+    return [Condition("on", (reference,), said=heard.last)] if w.is_off(heard.last) or "off" in heard.texts else None
+
+
+def _on_tower(reader: Reads, heard: Heard, noun: Noun, reference: Referent) -> list[Condition] | None:
+    """For example "on the tower": on its top, of which it may be a part."""
+    tower = reference.sort == SETS and reference.kinds[:1] == ("tower",) and not reference.plural
+    return [Condition("on", (reference,), said=heard.last)] if tower and w.is_on(heard.last) else None
+
+
 def _in_set(reader: Reads, heard: Heard, noun: Noun, reference: Referent) -> list[Condition] | None:
     """For example "in the row"."""
     return [Condition("member", (reference,), said=heard.last)] if reference.sort == SETS else None
@@ -135,6 +149,8 @@ BY_REFERENCE: tuple[ReferenceReading, ...] = (
     _beside,
     _in_place,
     _on_table,
+    _off,
+    _on_tower,
     _in_set,
     _on,
     _among,

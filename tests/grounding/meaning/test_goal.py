@@ -8,9 +8,8 @@ from grounding.language.parser import Parser
 from grounding.lexicon import whereto
 from grounding.lexicon.vocabulary import vocabulary
 from grounding.meaning.goal.items import line_up
-from grounding.meaning.goal.lengths import is_course, number, peeled
+from grounding.meaning.goal.lengths import Metres, is_course, number, peeled
 from grounding.meaning.goal.listening import listen
-from grounding.meaning.goal.units import in_spaces
 from grounding.meaning.nouns import read_noun
 
 
@@ -78,11 +77,15 @@ def test_compass_points_are_heard_as_sides():
     assert heard("two spaces west of the blue block") == heard("two spaces left of the blue block")
 
 
-@pytest.mark.parametrize(("said", "metres"), [("20 cm", 0.2), ("200 mm", 0.2), ("0.2 meters", 0.2)])
-def test_metric_lengths_are_the_same_number_of_spaces(said, metres):
-    phrase = in_spaces(tree(f"move the red block {said} to the left"), 0.05)
-    found = [float(a.text) for a, b in zip(phrase.leaves, phrase.leaves[1:], strict=False) if b.text == "spaces"]
-    assert found == [pytest.approx(metres / 0.05 / 1.19, abs=0.01)]
+@pytest.mark.parametrize(("said", "metres"), [
+    ("20 cm", 0.2), ("200 mm", 0.2), ("0.2 meters", 0.2), ("20cm", 0.2), ("twenty centimeters", 0.2),
+    ("half a meter", 0.5), ("a foot", 0.3048), ("two inches", 0.0508),
+])  # fmt: skip
+@pytest.mark.parametrize("way", ["{} to the left", "{} left of the green block", "{} towards the green block"])
+def test_lengths_with_a_unit_are_metres(said, metres, way):
+    steps = [offset.steps for clue in clues(way.format(said)) for offset in clue.offsets]
+    assert steps == [pytest.approx(metres)]
+    assert isinstance(steps[0], Metres)
 
 
 def test_a_way_is_no_part_of_what_it_leads_from():
