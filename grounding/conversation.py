@@ -123,6 +123,9 @@ class Conversation:
     def _instructed(self, text: str) -> Grounding:
         if self._latest is not None and denies(text):
             return self._taken_back(text, *self._latest)
+        asked = self._grounder.inquired(text, self._world)
+        if asked is not None:
+            return asked
         course = self._grounder.course(text, self._world, self._history, self._before)
         followed = self._grounder.follow(course)
         result = self._taken(followed)

@@ -20,6 +20,8 @@ from grounding.unanswered import nothing_before, open_options, unanswered
 from grounding.world.scene import Scene
 
 CREDIBLE = 0.1  # what agrees less with the world is not answered where something is seen to be missing
+CHOICE = 0.7  # where any will do, so likely one of those that are alike has to be meant
+ALIKE = 0.5  # those are alike that are at least so likely as the best
 EVEN = 0.2  # where many are possible, those that are at most so much less likely than the best are
 RIVAL = 0.2  # where an answer is given, others are told where to that are at least so likely beside it
 LISTED = 0.01  # alternatives less likely than this are not worth naming
@@ -149,9 +151,16 @@ def _believed(tree: Phrase, belief: Belief) -> Believed:
     least = min(LISTED, EVEN * best)
     listed = _told_apart([option for option in options if option.probability >= least])
     sure = best >= value("answer.least") and best >= value("answer.margin") * second and not belief.is_empty
+    sure = sure or (belief.leaves_choice and not belief.is_empty and _alike(options) >= CHOICE)
     least = RIVAL * best if sure else 0.0
     actions = tuple(action_of(o, tree, belief, placed=o.probability >= least) for o in listed[: MOST + 1])
     return Believed(actions, len(listed), sure)
+
+
+def _alike(options: Sequence[Option]) -> float:
+    """How likely one of those is meant of which one does as well as the other: "a red block"."""
+    single = (option for option in options if len(option.objects) == 1)
+    return sum(option.probability for option in single if option.probability >= ALIKE * options[0].probability)
 
 
 def _told_apart(options: Sequence[Option]) -> list[Option]:

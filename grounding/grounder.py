@@ -14,6 +14,7 @@ from grounding.dialogue import action_of, decide
 from grounding.errors import GroundingError, LanguageError
 from grounding.forbidding import without_forbidden
 from grounding.geometry.layout import Layout
+from grounding.inquiries import answered, inquiry_of
 from grounding.language.instruments import without_hands
 from grounding.language.lexicon import meanings
 from grounding.language.parser import Parse, Parser
@@ -218,7 +219,17 @@ class Grounder:
         Raises:
             LanguageError: the text has no words, or more than `LONGEST`.
         """
-        return self.follow(self.course(text, world, history, before)).grounding
+        asked = self.inquired(text, world)
+        return asked or self.follow(self.course(text, world, history, before)).grounding
+
+    def inquired(self, text: str, world: World) -> Grounding | None:
+        """The answer to a question about the world, None for a text that asks for something to be done."""
+        start = time.perf_counter()
+        inquiry = inquiry_of(text)
+        if inquiry is None:
+            return None
+        found = answered(text, inquiry, self.parser, self.scene(world), self.learned.referring)
+        return found.timed(1000 * (time.perf_counter() - start))
 
     def course(self, text: str, world: World, history: Sequence[str] = (), before: World | None = None) -> Course:
         """The steps of an instruction, none of them grounded yet; see `ground`."""

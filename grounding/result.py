@@ -7,7 +7,7 @@ from typing import Any
 
 from grounding.symbols import Symbol, symbol_json
 
-OUTCOMES = ("grounded", "ambiguous", "no_referent", "not_understood")
+OUTCOMES = ("grounded", "ambiguous", "no_referent", "not_understood", "answered")
 
 
 @dataclass(frozen=True)
@@ -105,6 +105,7 @@ class Grounding:
         milliseconds: how long it took.
         phrases: every phrase of the parse that was taken, outer ones first.
         mended: words that were read as others: (as written, as read).
+        answer: to a question about the world, where the outcome is "answered".
     """
 
     instruction: str
@@ -117,13 +118,14 @@ class Grounding:
     milliseconds: float = 0.0
     phrases: tuple[PhraseGrounding, ...] = field(default=(), repr=False)
     mended: tuple[tuple[str, str], ...] = ()
+    answer: str | None = None
 
     def timed(self, milliseconds: float) -> Grounding:
         """The same answer with the time it took."""
         return replace(self, milliseconds=milliseconds)
 
     def to_json(self) -> dict[str, Any]:
-        """Plain values, the result format; "mended" only where words were."""
+        """Plain values, the result format; "mended" only where words were, "answer" only to a question."""
         data: dict[str, Any] = {
             "instruction": self.instruction,
             "outcome": self.outcome,
@@ -135,6 +137,8 @@ class Grounding:
             "milliseconds": round(self.milliseconds, 3),
             "phrases": [phrase.to_json() for phrase in self.phrases],
         }
+        if self.answer is not None:
+            data["answer"] = self.answer
         if self.mended:
             data["mended"] = [list(pair) for pair in self.mended]
         return data

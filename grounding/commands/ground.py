@@ -58,7 +58,7 @@ def run(args: argparse.Namespace) -> int:
 
 
 def _code(result: Grounding) -> int:
-    return 0 if result.outcome == "grounded" else NOT_GROUNDED
+    return 0 if result.outcome in ("grounded", "answered") else NOT_GROUNDED
 
 
 def _picture_file(path: Path) -> Path:
@@ -76,7 +76,8 @@ def _picture_file(path: Path) -> Path:
 
 def describe(result: Grounding) -> list[str]:
     """The lines that tell a person what was understood."""
-    lines = [f"{result.outcome}: {result.explanation}" if result.explanation else result.outcome]
+    told = result.answer or result.explanation
+    lines = [f"{result.outcome}: {told}" if told else result.outcome]
     lines += [f"  {_action(action)}" for action in result.actions]
     if result.question:
         lines.append(f"  {result.question}")
@@ -97,4 +98,5 @@ def _action(action: GroundedAction) -> str:
         where = f" to ({x:.3f}, {y:.3f}, {z:.3f}) m"
         if action.destination.relation is not None:
             where += f", {action.destination.relation} of {' '.join(action.destination.reference) or 'the robot'}"
-    return f"{action.action} {' '.join(action.objects)}{where}  ({action.probability:.2f})"
+    hand = "" if action.arm is None else f" with the {action.arm} hand"
+    return f"{action.action} {' '.join(action.objects)}{where}{hand}  ({action.probability:.2f})"

@@ -8,7 +8,6 @@ from typing import NamedTuple
 from grounding.lexicon.vocabulary import vocabulary
 
 SIDES = ("left", "right")
-_WITH = r"(?:with|using|use|by|in|via|employing)"
 _OWN = r"(?:(?:your|the|its|baxter's|robot's)\s+)*"
 
 
@@ -37,7 +36,7 @@ def without_hands(text: str) -> Instrumental:
     arms: list[str] = []
 
     def took(match: re.Match[str]) -> str:
-        arms.append((match["with"] or match["first"]).lower())
+        arms.append((match["with"] or match["use"] or match["first"]).lower())
         return " "
 
     kept = command.sub(took, text).strip(" ,")
@@ -49,6 +48,8 @@ def _pattern(hands: str) -> re.Pattern[str]:
         return rf"{_OWN}(?P<{name}>{'|'.join(SIDES)})[\s-]+(?:{hands})\b(?!\s*-?\s*side)"
 
     return re.compile(
-        rf"\s*,?\s*\b{_WITH}\s+{side('with')}(?:\s*,)?(?:\s+(?:to|and)\b)?\s*|^\s*{side('first')}\s*[:,]\s*",
+        rf"\s*,?\s*\b(?:with|by|in|via)\s+{side('with')}(?:\s*,)?\s*"
+        rf"|\s*,?\s*\b(?:use|using|employing)\s+{side('use')}(?:\s*,)?(?:\s+(?:to|and)\b)?\s*"
+        rf"|^\s*{side('first')}\s*[:,]\s*",
         re.IGNORECASE,
     )

@@ -15,7 +15,7 @@ from grounding.meaning.discourse.told import Told
 from grounding.meaning.nouns import is_measuring, read_noun
 from grounding.meaning.reader import Reader
 from grounding.meaning.reading import Context
-from grounding.meaning.referents import SETS
+from grounding.meaning.referents import OBJECTS, SETS
 from grounding.model.cases import Case, Weights
 from grounding.model.evaluator import EVEN, Evaluator
 from grounding.model.features import BINS, logarithm
@@ -104,6 +104,12 @@ class Belief:
             if reading.place >= 0:
                 shares[reading.place] = shares.get(reading.place, 0.0) + share
         return tuple(sorted(shares, key=lambda place: -shares[place]))
+
+    @property
+    def leaves_choice(self) -> bool:
+        """Whether the likeliest reading asks for any one of several: "a red block", "any block of the row"."""
+        target = self.readings[0].told.target if self.readings else None
+        return target is not None and target.sort == OBJECTS and not target.definite
 
     @property
     def agreement(self) -> float:

@@ -142,6 +142,9 @@ class Executor:
 
     def _ungrounded(self, grounding: Grounding, world: World, steps: tuple[Step, ...]) -> Report:
         """The report where there is nothing to do."""
+        if grounding.answer is not None:
+            return Report(grounding.instruction, NOT_GROUNDED, grounding.answer, grounding, world, world, self._seed,
+                          "answered", steps=steps)  # fmt: skip
         why = grounding.outcome if grounding.outcome in _UNGROUNDED else "no_referent"
         message = grounding.question or grounding.explanation or _UNGROUNDED[why]
         return Report(

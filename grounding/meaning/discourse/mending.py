@@ -7,6 +7,7 @@ from grounding.lexicon import words as w
 from grounding.meaning.discourse.verbs import GAINING, LOOKING, LOSING, PARTING
 
 _PARTICLES = frozenset(("'s",))
+_SETTING = frozenset("put set lay place".split())
 _DETERMINERS = frozenset("the a an this that these those its one two three".split())
 
 
@@ -16,6 +17,8 @@ def mended(phrase: Phrase) -> Phrase:
     children = _centred(_chosen(_owned(children, within=phrase.tag != "S")))
     if phrase.tag == "SBAR" and len(children) == 2 and isinstance(children[1], Phrase) and children[1].tag == "NP":
         return Phrase("PP", children)
+    if phrase.tag == "VP":
+        children = _set_down(children)
     if phrase.tag == "PP" and isinstance(children[0], Word) and children[0].text in LOOKING:
         return Phrase("VP", children)
     if phrase.tag == "PP":
@@ -41,6 +44,17 @@ def as_sentence(phrase: Phrase) -> Phrase:
 
 
 Children = tuple[Phrase | Word, ...]
+
+
+def _set_down(children: Children) -> Children:
+    """For example "(put) (down the block)": a particle of the verb, no way to go."""
+    if len(children) < 2 or not isinstance(children[0], Word) or children[0].text not in _SETTING:
+        return children
+    phrase = children[1]
+    if not isinstance(phrase, Phrase) or phrase.tag != "PP" or [word.text for word in phrase.words] != ["down"]:
+        return children
+    down = Phrase("PRT", (Word("down", "RP", phrase.leaves[0].index),))
+    return (children[0], down, *phrase.phrases, *children[2:])
 
 
 def _centred(children: Children) -> Children:
