@@ -11,6 +11,7 @@ from grounding.language.lexicon import meanings
 from grounding.language.tree import Phrase
 from grounding.lexicon import arrangement, colour, kind
 from grounding.lexicon import words as w
+from grounding.lexicon.size import vary
 from grounding.literal.colors import without
 from grounding.meaning.nouns import Noun, read_noun
 from grounding.numbers import counted, listed, ranked, spelled
@@ -136,7 +137,7 @@ def _lacking(noun: Noun, scene: Scene) -> str | None:
 
 
 def _arrangement(noun: Noun, scene: Scene) -> str | None:
-    if noun.head != "container" or noun.plural:
+    if noun.head != "container" or noun.plural or (noun.sized and vary(scene)):
         return None
     if noun.ordinals and {"row", "column"} & set(noun.kinds):
         return None  # people count rows where nothing else looks like one

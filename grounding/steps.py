@@ -12,6 +12,7 @@ import numpy as np
 
 from grounding.language.parser import Parse
 from grounding.language.tree import Phrase, Word
+from grounding.lexicon.size import vary
 from grounding.lexicon.words import is_between
 from grounding.meaning.discourse.clauses import clauses_of
 from grounding.meaning.discourse.following import read_text
@@ -65,7 +66,7 @@ def _commands(tree: Phrase) -> list[Phrase]:
 
 def _groups(tree: Phrase, evaluator: Evaluator) -> list[Phrase]:
     """The clauses of each step, under one root."""
-    context = Context(handled=bool(evaluator.history))
+    context = Context(handled=bool(evaluator.history), sizes=vary(evaluator.scene))
     groups: list[list[Phrase]] = [[]]
     for clause in _unfolded(tree):
         noun = _named(clause)

@@ -69,7 +69,8 @@ _SUPERLATIVES = frozenset(
 _UNIVERSAL = frozenset("all both every each everything whole".split())
 _PLURAL_TAGS = ("NNS", "NNPS")
 _SIZE_ORDER = {"longest": 1, "tallest": 1, "biggest": 1, "largest": 1, "long": 1, "tall": 1, "taller": 1, "longer": 1,
-               "bigger": 1, "larger": 1, "shortest": -1, "smallest": -1, "short": -1, "shorter": -1, "small": -1,
+               "bigger": 1, "larger": 1, "big": 1, "large": 1, "huge": 1, "little": -1, "tiny": -1,
+               "shortest": -1, "smallest": -1, "short": -1, "shorter": -1, "small": -1,
                "smaller": -1}  # fmt: skip
 _SIDES = re.compile("left|right")
 _ALIKE: dict[type, str] = {Ordinal: "<ordinal>", Cardinal: "<cardinal>", ObjectColor: "<color>"}

@@ -63,6 +63,11 @@ def place(word: str) -> str | None:
     return vocabulary().value("place", word)
 
 
+def is_edge(word: str) -> bool:
+    """Whether a noun means where a table ends: "edge", "border"."""
+    return vocabulary().has("rim", word, "edge")
+
+
 def is_rim(word: str) -> bool:
     """Whether a word names a part that lies outermost: "edge", "end", "corner"."""
     return vocabulary().has("rim", word)

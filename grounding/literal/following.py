@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from grounding.language.tree import Phrase
+from grounding.lexicon.size import vary
 from grounding.literal.choosing import half
 from grounding.literal.reader import LiteralReader
 from grounding.literal.values import FIRM, Meant, Missing, Unread
@@ -51,7 +52,7 @@ class Follower(Reader):
     """
 
     def __init__(self, reader: LiteralReader) -> None:
-        super().__init__(Context(handled=bool(reader.history)))
+        super().__init__(Context(handled=bool(reader.history), sizes=vary(reader.scene)))
         self.literal = reader
 
     def refer(self, noun: Noun) -> Referent:

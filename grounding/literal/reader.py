@@ -6,6 +6,7 @@ import numpy as np
 
 from grounding.geometry.masks import indices_of, single
 from grounding.language.tree import Phrase
+from grounding.lexicon.size import vary
 from grounding.literal.arrangements import mean_arrangement
 from grounding.literal.modifiers import modify
 from grounding.literal.places import mean_place
@@ -55,6 +56,8 @@ class LiteralReader:
             Unread: it is beyond what is read literally.
             Missing: it means nothing that is there.
         """
+        if noun.sized and vary(self.scene):
+            raise Unread(noun.text)  # sizes are compared and not looked up
         try:
             return self._meant(noun, base)
         except Missing as missing:

@@ -15,6 +15,7 @@ import numpy as np
 
 from grounding.geometry.masks import indices_of
 from grounding.lexicon import arrangement, colour
+from grounding.lexicon.size import vary
 from grounding.literal.values import FIRM, Missing
 from grounding.meaning.nouns import Noun
 from grounding.meaning.reader import Reader
@@ -96,7 +97,7 @@ def looks_stacked(scene: Scene, noun: Noun) -> bool:
 
 
 def _by(evaluator: Evaluator, noun: Noun) -> float:
-    reader = Reader(Context(handled=bool(evaluator.history)))
+    reader = Reader(Context(handled=bool(evaluator.history), sizes=vary(evaluator.scene)))
     if noun.head == "block" and noun.plural:
         # several are worth what the worst of so many is: as sets they are only weighed against each other
         number = noun.number or (2 if "both" in noun.text.split() else 1)

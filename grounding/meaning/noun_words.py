@@ -11,7 +11,8 @@ from grounding.lexicon import words as w
 from grounding.lexicon.shades import tint_of
 from grounding.symbols import LAST, Cardinal, ObjectColor, Ordinal
 
-_INDEFINITE = frozenset("a an some any".split())
+_INDEFINITE = frozenset("a an some any either".split())
+_POINTING = frozenset("the this that these those my your his her its".split())
 _SKIPPED = frozenset("the that this these those of 's very really all and or is please your my its his her".split())
 _SMALL_WORDS = ("DT", "PDT", "IN", "TO", "CC", "RB", "PRP$", "POS", "UH")
 _IN_TOWER = Phrase("PP", (Word("in", "IN", 0), Phrase("NP", (Word("a", "DT", 0), Word("tower", "NN", 0)))))
@@ -32,6 +33,7 @@ class NounWords:
         self.heads: list[str] = []
         self.stacked = False
         self.small = False
+        self.sized = ""
         self.storied = False
         self.away = False
         self.far = False
@@ -43,6 +45,7 @@ class NounWords:
         self.last = False
         self.joined = False
         self.mixed = False
+        self.pointed = False
         self.tint: str | None = None
 
     def take(self, word: Word, last: bool) -> None:
@@ -68,6 +71,7 @@ class NounWords:
     # -- what single words say: each tells whether it was heard ------------------------------------------------------
 
     def _article(self, word: Word) -> bool:
+        self.pointed |= word.text in _POINTING
         if word.text in _INDEFINITE:
             self.said["definite"] = False
         return word.text in _INDEFINITE
@@ -122,7 +126,8 @@ class NounWords:
             self.said["only"] = True
         elif size_order(word.text):
             self.said["size"] = size_order(word.text)
-            self.small = word.text == "small"
+            self.small = word.text in ("small", "little", "tiny")
+            self.sized = word.text
         else:
             return False
         return True
@@ -162,6 +167,8 @@ class NounWords:
         text = word.text
         if w.is_block(text):
             self.heads.append("block")
+            if text == "one" and not (self.pointed or self.colors or self.directions or self.ordinals):
+                self.said["definite"] = False  # "one of the blue blocks"
             kind = w.kind(text)
             self.types += [] if kind is None or kind in self.types else [kind]
             self.said["plural"] = text.endswith(("s", "es")) and text != "ones'"
@@ -218,6 +225,7 @@ class NounWords:
         head = self._placed(head, said)
         self._count(head, said)
         kinds = self.kinds
+        said["sized"] = self.sized if head in ("block", "other") else ""
         if head == "block" and said.get("size") == -1 and self.small:
             said["size"], said["lone"], said["unstacked"] = 0, True, True  # "the small block"
         if head == "block" and (said.get("plural") and self.stacked or (said.get("size") and not self.stacked)):
@@ -241,6 +249,8 @@ class NounWords:
         head = self._named()
         if said.get("number") == 1:
             said.pop("number")
+            if not self.pointed:
+                said["definite"] = False  # "one blue block"
             head = "block" if head == "other" else head
         if head != "other":
             return head

@@ -33,6 +33,7 @@ class Noun:
         unstacked: whether that means only that it is not part of a stack: "the single block".
         other: whether what was spoken of is excluded.
         only: whether it is the only one.
+        sized: the word for a size that was said of a thing; where all are of one size it tells a tower, or one alone.
         size: 1 for the largest arrangement, -1 for the smallest.
         agent: who is meant by a pronoun, or whose side it is.
         definite: False after "a", "some".
@@ -62,6 +63,7 @@ class Noun:
     other: bool = False
     only: bool = False
     size: int = 0
+    sized: str = ""
     agent: str | None = None
     definite: bool = True
     universal: bool = False

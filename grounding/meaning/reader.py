@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import replace
 
-from grounding.language.lexicon import meanings
+from grounding.language.lexicon import meanings, size_order
 from grounding.language.tree import Phrase
 from grounding.lexicon import words as w
 from grounding.meaning import recall
@@ -22,6 +22,7 @@ from grounding.meaning.referents import (
     TABLE,
     Condition,
     Referent,
+    Region,
     again,
 )
 from grounding.meaning.things import own_conditions, selectors
@@ -61,6 +62,8 @@ class Reader:
 
     def refer(self, noun: Noun) -> Referent:
         """What a noun speaks of."""
+        if noun.sized and self.context.sizes:
+            noun = _by_size(noun)
         if recall.is_recalled(noun) and (self.context.handled or recall.is_surely_recalled(noun)):
             return Referent(OBJECTS, (Condition("recalled", words=noun.colors),), text=noun.text)
         if noun.conjoined:
@@ -69,7 +72,7 @@ class Reader:
             case "agent":
                 return Referent(PERSON, person=noun.agent, text=noun.text)
             case "table":
-                return Referent(TABLE, text=noun.text)
+                return self._table(noun)
             case "pronoun":
                 return self._pronoun(noun)
             case "place":
@@ -91,6 +94,15 @@ class Reader:
             SETS if noun.plural else OBJECTS, tuple(own_conditions(self, noun)), number=noun.number,
             plural=noun.plural, definite=noun.definite, universal=noun.universal, only=noun.only, text=noun.text,
         )  # fmt: skip
+
+    def _table(self, noun: Noun) -> Referent:
+        """A table, one of several where more is said of it."""
+        found = [Condition("colour", words=noun.colors)] if noun.colors else []
+        if noun.directions:
+            found.append(Condition("extreme", region=Region(noun.directions, bare=True, owner=noun.agent)))
+        if noun.other:
+            found.append(Condition("other"))
+        return Referent(TABLE, tuple(found), text=noun.text)
 
     def _pronoun(self, noun: Noun) -> Referent:
         if self.context.mentioned is not None:
@@ -152,6 +164,14 @@ class Reader:
         crossing = len(parts) == 2 and kinds == {"row", "column"}
         return Referent(SETS, parts=things, number=len(parts), plural=not crossing, crossing=crossing,
                         definite=noun.definite, text=noun.text)  # fmt: skip
+
+
+def _by_size(noun: Noun) -> Noun:
+    """A noun whose word for a size tells things apart, where these are of different sizes: "the small block"."""
+    small = size_order(noun.sized) < 0
+    lone = noun.lone and not noun.unstacked
+    return replace(noun, head="block", kinds=(), size=-1 if small else 1, lone=lone, unstacked=False,
+                   plural=noun.plural and noun.head == "block")  # fmt: skip
 
 
 def _coloured(noun: Noun) -> Noun | None:

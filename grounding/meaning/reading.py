@@ -18,11 +18,13 @@ class Context:
         mentioned: what was spoken of last, or None.
         several: whether that were several.
         handled: whether something was handled before.
+        sizes: whether there are things of different sizes.
     """
 
     mentioned: Referent | None = None
     several: bool = False
     handled: bool = False
+    sizes: bool = False
 
 
 class Reads(Protocol):

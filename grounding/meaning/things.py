@@ -41,5 +41,5 @@ def selectors(noun: Noun) -> list[Condition]:
     if noun.middle and not noun.directions:
         found.append(Condition("middle"))
     if noun.size:
-        found.append(Condition("size", number=float(noun.size)))
+        found.append(Condition("size", number=float(noun.size), said=noun.sized))
     return found

@@ -10,6 +10,7 @@ import numpy as np
 from grounding.language.parser import Parse
 from grounding.language.tree import Phrase
 from grounding.lexicon.degrees import peak
+from grounding.lexicon.size import vary
 from grounding.meaning.discourse.following import read_text
 from grounding.meaning.discourse.told import Told
 from grounding.meaning.nouns import is_measuring, read_noun
@@ -146,11 +147,12 @@ def read(
     handled = tuple(index[name] for name in history if name in index)
     known = {} if known is None else known
     evaluators: dict[str, Evaluator] = {}
+    sizes = vary(scene)
     found = []
     for place, parse in enumerate(parses):
         if parse.probability < NEGLIGIBLE * parses[0].probability:
             continue
-        told = read_text(parse.tree, Reader(Context(handled=bool(handled))))
+        told = read_text(parse.tree, Reader(Context(handled=bool(handled), sizes=sizes)))
         if told.target is None:
             continue
         for view, form in views(parse.tree, scene):
@@ -210,7 +212,7 @@ def _shape(told: Told) -> str:
 
 def _goal(told: Told, evaluator: Evaluator) -> dict[str, float]:
     """The smallest truths of the things that a destination speaks of, definite ones and others."""
-    reader = Reader(Context(told.target, handled=bool(evaluator.history)))
+    reader = Reader(Context(told.target, handled=bool(evaluator.history), sizes=vary(evaluator.scene)))
     found: dict[str, float] = {}
     for phrase in told.destination:
         for inner in _outermost(phrase):

@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from grounding.lexicon import place, rank
+from grounding.lexicon import place, rank, size
 from grounding.lexicon.degrees import peak
 from grounding.lexicon.parameters import value
 from grounding.lexicon.person import distance_from
@@ -17,6 +17,7 @@ from grounding.model.relating import distance_to, lane
 from grounding.world import Array
 from grounding.world.scene import ROBOT, Scene
 
+_ALIKE = 0.03  # sizes that are hard to tell apart [edges]
 _ABOVE = 40.0  # [1] where height counts, it counts so many times more than distance
 
 
@@ -139,6 +140,9 @@ def orders_of(
             orders += _extremes(evaluator, condition, pool)
         elif condition.concept in ("nearest", "farthest") and not condition.negated:
             orders.append(_by_distance(evaluator, condition, base))
+        elif condition.concept == "size" and not condition.negated and size.vary(evaluator.scene):
+            key = (condition.number or 1.0) * size.measure(evaluator.scene, condition.said)
+            orders.append(Order("size", key, condition.rank, _ALIKE * evaluator.scene.edge))
         elif counted and counts_from(condition):
             orders += _extremes(evaluator, condition, pool)
         elif condition.concept == "toward" and counted and not condition.negated:

@@ -7,6 +7,7 @@ from typing import NamedTuple
 import numpy as np
 
 from grounding.language.tree import Phrase
+from grounding.lexicon.size import vary
 from grounding.meaning.nouns import Noun, read_noun
 from grounding.meaning.reader import Reader
 from grounding.meaning.reading import Context
@@ -41,7 +42,7 @@ class PhraseReader:
 
     def __init__(self, evaluator: Evaluator, mentioned: Referent | None = None, *, several: bool = False) -> None:
         self.evaluator = evaluator
-        self.context = Context(mentioned, several, bool(evaluator.history))
+        self.context = Context(mentioned, several, bool(evaluator.history), vary(evaluator.scene))
 
     @property
     def scene(self) -> Scene:

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import numpy as np
 
-from grounding.lexicon import alone, between, direction, person, place, rank
+from grounding.lexicon import alone, between, direction, person, place, rank, table
 from grounding.lexicon.degrees import peak
 from grounding.meaning.referents import Condition, Referent, Region
 from grounding.model.cases import Denotation
 from grounding.model.holding import SETS, Evaluates, Held, Restricting, fraction, plain, related
 from grounding.world import Array
-from grounding.world.scene import ROBOT
+from grounding.world.scene import ROBOT, Scene
 
 
 def _parts(evaluator: Evaluates, referents: tuple[Referent, ...], base: Array) -> list[between.Part]:
@@ -76,11 +76,17 @@ def _within(evaluator: Evaluates, mask: np.ndarray, spot: place.Spot) -> Array:
     scene, pool, blur = evaluator.scene, mask.astype(float), rank.blur(evaluator.scene)
     if scene.stacked[mask].all() and spot.upright:
         return pool * rank.truth(pool, spot.upright * scene.z, 1, blur)
+    if spot.middle and not spot.directions and mask.sum() > 1 and scene.stacked[mask].all() and _is_tower(scene, mask):
+        return pool * rank.truth(pool, -np.abs(scene.z - scene.z[mask].mean()), 1, blur)
     if spot.outer:
         return pool * rank.truth(pool, np.abs(rank.along(scene, pool)), 1, blur)
     if spot.middle and not spot.directions:
         return pool * rank.middle(scene, pool, chosen=True)
     return pool * rank.truth(pool, place.closeness(scene, spot), 1, blur)
+
+
+def _is_tower(scene: Scene, mask: np.ndarray) -> bool:
+    return any(set(np.flatnonzero(mask)) <= set(tower) for tower in scene.towers)
 
 
 def _centre(evaluator: Evaluates, condition: Condition, base: Array) -> Held:
@@ -92,6 +98,8 @@ def _centre(evaluator: Evaluates, condition: Condition, base: Array) -> Held:
     else:
         held = _part(evaluator, part, base)
         member = held.truth * held.preference
+    if condition.of[1].kinds[:1] == ("tower",) and evaluator.scene.towers:
+        return plain(member)  # nothing but its own blocks is within a tower
     amid = between.amid(evaluator.where, evaluator.scene, _parts(evaluator, condition.of[1:], base), surrounding=False)
     return plain(np.maximum(member, amid))
 
@@ -110,7 +118,33 @@ def _on(evaluator: Evaluates, condition: Condition, base: Array) -> Held:
 
 
 def _on_table(evaluator: Evaluates, condition: Condition, base: Array) -> Held:
+    if condition.of:
+        return plain(_on_which(evaluator, condition.of[0]))
     return Held(np.ones(evaluator.scene.n), np.where(evaluator.scene.raised, 0.3, 1.0))
+
+
+def _on_which(evaluator: Evaluates, referent: Referent) -> Array:
+    """What stands on one of several tables: "the left table", "the yellow one"."""
+    scene = evaluator.scene
+    below = table.under(scene, scene.xy)
+    handled = below[evaluator.history[-1]] if evaluator.history else -1
+    fits = meant_tables(scene, referent, evaluator.view, int(handled))
+    return np.array([0 <= index and fits[index] for index in below], dtype=float)
+
+
+def meant_tables(scene: Scene, referent: Referent, view: str, here: int) -> np.ndarray:
+    """Which tables a referent means, boolean (t,).
+
+    Args:
+        scene: the world.
+        referent: a table.
+        view: whose directions are meant where nobody is named.
+        here: index of the table that "the other" is not, or -1.
+    """
+    said = {condition.concept: condition for condition in referent.conditions}
+    region = said["extreme"].region if "extreme" in said else None
+    return table.meant(scene, said["colour"].words if "colour" in said else (), region.names if region else (),
+                       (region.owner if region else None) or view, here if "other" in said else -1)  # fmt: skip
 
 
 def _alone(evaluator: Evaluates, condition: Condition, base: Array) -> Held:

@@ -141,7 +141,7 @@ def _one(
     chosen = bool(choice.scalars)
     in_stack = chosen and bool(choice.mask.any()) and bool(scene.stacked[choice.mask].all())
     kinds = tuple(k for c in conditions if c.chooses for k in c.of[0].kinds)
-    vertical = any(c.region is not None and {"up", "down"} & set(c.region.names) for c in conditions)
+    vertical = any(_is_vertical(c) for c in conditions)
     salient = pool * scene.salience if not (in_stack or vertical or carrying) else pool
     for ranked in choose(evaluator, conditions, Pool(salient, kinds, chosen, in_stack), kind):
         add_rank(case, ranked)
@@ -151,6 +151,13 @@ def _one(
     case.add("stacked" + name, (scene.stacked & scene.clear).astype(float))
     _presuppose(case, referent, pool, chosen=chosen)
     return case
+
+
+def _is_vertical(condition: Condition) -> bool:
+    """Whether a condition tells where something is in a stack, so that it may carry others."""
+    if condition.region is not None and {"up", "down"} & set(condition.region.names):
+        return True
+    return condition.concept in ("centre", "part") and condition.of[-1].kinds[:1] == ("tower",)
 
 
 def _presuppose(case: Case, referent: Referent, pool: Array, *, chosen: bool) -> None:

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from grounding.language.tree import Phrase
 from grounding.lexicon import words as w
+from grounding.lexicon.table import tables, under
 from grounding.model.belief import Belief, Reading
 from grounding.model.phrases import reader_of
 from grounding.placing.spots import FoundSpot, agreed, find_spot, leads, leads_off
 from grounding.result import Destination
+from grounding.world import Array
 from grounding.world.scene import Scene
 
 HEARD = 3  # readings that are asked where to
@@ -102,13 +104,14 @@ def _stated(spot: FoundSpot, source: int, scene: Scene) -> Destination:
         support = scene.layout.things[spot.reference[0]]
         height = float(support.position[2] + support.half_extents[2]) + half
     else:
-        height = _table_top(scene) + half
+        height = _table_top(scene, spot.point) + half
     x, y = (float(value) for value in spot.point)
     return Destination((x, y, height), spot.relation if names else None, names)
 
 
-def _table_top(scene: Scene) -> float:
-    for item in scene.layout.world.objects:
-        if item.type == "table":
-            return float(item.position[2] + item.half_extents[2])
+def _table_top(scene: Scene, point: Array) -> float:
+    found = tables(scene)
+    if found:
+        item = found[max(int(under(scene, point[None])[0]), 0)]
+        return float(item.position[2] + item.half_extents[2])
     return float(min((thing.position[2] - thing.half_extents[2] for thing in scene.layout.things), default=0.0))

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from grounding.destinations import free_places
+from grounding.lexicon.table import tables, under
 from grounding.world import FURNITURE, Array
 from grounding.world.scene import Scene
 
@@ -35,7 +36,8 @@ def leave_room(point: Array, source: int, scene: Scene) -> Array:
         x, y [m]; the place itself where nothing near it has more room.
     """
     world, item = scene.layout.world, scene.layout.things[source]
-    table = next((o for o in world.objects if o.type == "table"), None)
+    index = int(under(scene, point[None])[0])
+    table = tables(scene)[index] if index >= 0 else None
     if table is None:
         return point
     others = [o for o in world.objects if o.id != item.id and o.type not in FURNITURE]

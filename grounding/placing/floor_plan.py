@@ -8,6 +8,7 @@ from weakref import WeakKeyDictionary
 import numpy as np
 
 from grounding.lexicon.support import bare
+from grounding.lexicon.table import tables
 from grounding.world import Array
 from grounding.world.scene import Scene
 
@@ -52,6 +53,7 @@ class FloorPlan:
         board: number of squares along the axes where there is a board, shape (2,).
         centre: of the table, or of what surrounds the objects where there is none, shape (2,).
         half: its half extents, shape (2,).
+        boxes: centres and half extents of all tables, each of shape (t, 2).
         spots: a grid, and what surrounds every object, shape (s, 2).
         prior: how often such places are chosen, 0 off the table, shape (s,).
         around: which object each of them surrounds, -1 for the grid, shape (s,).
@@ -67,6 +69,7 @@ class FloorPlan:
     board: Array | None
     centre: Array
     half: Array
+    boxes: tuple[Array, Array]
     spots: Array
     prior: Array
     around: np.ndarray
@@ -77,15 +80,21 @@ class FloorPlan:
         return np.asarray(point @ self.axes * self.edge)
 
 
-_plans: WeakKeyDictionary[Scene, dict[str, FloorPlan]] = WeakKeyDictionary()
+_plans: WeakKeyDictionary[Scene, dict[tuple[str, int], FloorPlan]] = WeakKeyDictionary()
 
 
-def lay_out(scene: Scene, view: str) -> FloorPlan:
-    """The floor plan as somebody sees it; it is kept as long as the scene."""
+def lay_out(scene: Scene, view: str, main: int = 0) -> FloorPlan:
+    """The floor plan as somebody sees it; it is kept as long as the scene.
+
+    Args:
+        scene: the world.
+        view: whose directions are its axes.
+        main: index of the table whose sides and middle are meant, where there are several.
+    """
     plans = _plans.setdefault(scene, {})
-    if view not in plans:
-        plans[view] = _draw(scene, view)
-    return plans[view]
+    if (view, main) not in plans:
+        plans[view, main] = _draw(scene, view, main)
+    return plans[view, main]
 
 
 def find_places(plan: FloorPlan, scene: Scene, source: int, exact: Array) -> Places:
@@ -99,7 +108,7 @@ def find_places(plan: FloorPlan, scene: Scene, source: int, exact: Array) -> Pla
     """
     others = np.delete(np.arange(scene.n), source)
     free = (plan.prior > 0) & (plan.around != source) & ~plan.taken[others].any(axis=0)
-    near = _inside(exact, plan.centre, plan.half) & ~_overlaps(exact, plan.points[others], plan.reach[others]).any(
+    near = _inside(exact, *plan.boxes) & ~_overlaps(exact, plan.points[others], plan.reach[others]).any(
         axis=0
     )
     carrying = bare(scene)
@@ -112,24 +121,26 @@ def find_places(plan: FloorPlan, scene: Scene, source: int, exact: Array) -> Pla
     )
 
 
-def _draw(scene: Scene, view: str) -> FloorPlan:
+def _draw(scene: Scene, view: str, main: int) -> FloorPlan:
     axes = np.array([scene.direction("right", view), scene.direction("back", view)])
     points = scene.xy @ axes.T / scene.edge
-    table = next((o for o in scene.layout.world.objects if o.type == "table"), None)
-    if table is not None:
-        centre = np.asarray(axes @ table.position[:2] / scene.edge)
-        half = np.asarray(np.abs(axes) @ table.half_extents[:2] / scene.edge)
+    found = tables(scene)
+    if found:
+        centres = np.array([axes @ item.position[:2] / scene.edge for item in found])
+        halves = np.array([np.abs(axes) @ item.half_extents[:2] / scene.edge for item in found])
     else:
         low, high = points.min(axis=0, initial=0.0), points.max(axis=0, initial=0.0)
-        centre, half = (low + high) / 2, (high - low) / 2 + _REACH
+        centres, halves = ((low + high) / 2)[None], ((high - low) / 2 + _REACH)[None]
     board = scene.board
-    grid = _grid(centre, half) if board is None else board.centres @ axes.T / scene.edge
+    grid = np.concatenate([_grid(c, h) for c, h in zip(centres, halves, strict=True)]) if board is None else (
+        board.centres @ axes.T / scene.edge
+    )
     surrounding = _AROUND if board is None else _AROUND[:0]
     beside = (points[:, None] + surrounding).reshape(-1, 2)
     spots = np.concatenate([grid, beside])
     prior = np.concatenate([np.full(len(grid), _CELL), np.tile(_SHARES[: len(surrounding)], len(points))])
     around = np.concatenate([np.full(len(grid), -1), np.repeat(np.arange(len(points)), len(surrounding))])
-    prior = np.where(_inside(spots, centre, half), prior, 0.0)
+    prior = np.where(_inside(spots, centres, halves), prior, 0.0)
     sizes = np.array([float(item.size[:2].max()) for item in scene.layout.things])
     reach = 0.5 * (1.0 + sizes / scene.edge)
     taken = _overlaps(spots, points, reach)
@@ -138,7 +149,8 @@ def _draw(scene: Scene, view: str) -> FloorPlan:
         level[list(tower)] = np.arange(1, len(tower) + 1)
     squares = None if board is None else np.round(np.abs(axes) @ np.array(board.shape))
     pitch = PITCH if board is None else board.pitch / scene.edge
-    return FloorPlan(points, reach, level, axes, scene.edge, pitch, squares, centre, half, spots, prior, around, taken)
+    return FloorPlan(points, reach, level, axes, scene.edge, pitch, squares, centres[main], halves[main],
+                     (centres, halves), spots, prior, around, taken)  # fmt: skip
 
 
 def _grid(centre: Array, half: Array) -> Array:
@@ -148,10 +160,10 @@ def _grid(centre: Array, half: Array) -> Array:
     return np.stack(np.meshgrid(*lines, indexing="ij"), axis=-1).reshape(-1, 2)
 
 
-def _inside(points: Array, centre: Array, half: Array) -> np.ndarray:
-    """Tells which points (p, 2) are on the table with a whole block."""
-    off = np.abs(points - centre) - half
-    return np.asarray(np.maximum(off[:, 0], off[:, 1]) <= -0.5 + 1e-6)
+def _inside(points: Array, centres: Array, halves: Array) -> np.ndarray:
+    """Tells which points (p, 2) are on one of the tables (t, 2) with a whole block."""
+    off = (np.abs(points[:, None] - centres) - halves).max(axis=2)
+    return np.asarray((off <= -0.5 + 1e-6).any(axis=1))
 
 
 def _overlaps(points: Array, standing: Array, reach: Array) -> np.ndarray:

@@ -37,8 +37,8 @@ def ground_clue(clue: Clue, source: int, plan: FloorPlan, reader: PhraseReader) 
     shift = maps.Shift(clue.offsets, reader, plan.axes, 0.0 if plan.board is None else plan.pitch)
     if clue.relation in ("own", "surface", "tower", "place", "make"):
         return GroundedClue(clue, None, shift)
-    if reader.scene.towers and _is_above(clue):
-        clue = Clue("on", clue.nouns)  # where things stand on things, what is above one is on it
+    if _is_above(clue) and reader.scene.towers and len(reader.scene.layout.colors) > 1:
+        clue = Clue("on", clue.nouns)  # where things stand on things what is above one is on it, but not on a map
     anchors = find_anchors(clue.nouns, source, plan.points, reader) if clue.nouns else None
     if anchors is not None and clue.relation == "on":
         anchors = carrying(anchors, bare(reader.scene, source))
@@ -110,7 +110,7 @@ def _of_itself(g: GroundedClue, places: Places, source: int, plan: FloorPlan, re
         case "tower":
             return maps.raising(places, plan, g.clue.height)
         case "surface":
-            return maps.lying(places, plan.points[source])
+            return maps.lying_on(places, plan) if g.clue.nouns else maps.lying(places, plan.points[source])
         case "make":
             return shape_map(places.points, *completing(g.clue.nouns[0], source, plan))
         case "place":

@@ -24,6 +24,7 @@ FROM_CENTRE, FROM_SIDE = 1.0, 0.45
 """Weights of counting blocks from the centre of something, and of counting between the sides."""
 EXACT = 0.1  # how far off something is that was measured [edges]
 OTHERWISE = 0.1  # how often a tower comes to be lower or higher than is said
+WITHIN = 0.4  # how far from the middle of a table that is named, of its half extents
 SET_DOWN = 1.0  # within how many edges something is set down where only the table is named
 BESIDE = {"": 1.3, "slightly": 0.8, "far": 4.0}  # how far from a reference [edges]
 
@@ -179,6 +180,12 @@ def lying(places: Places, start: Array) -> Array:
     """On the table, rather near where it is, shape (p,)."""
     away = np.linalg.norm(places.points - start, axis=1)
     return np.asarray((places.support < 0) * np.exp(-away / SET_DOWN))
+
+
+def lying_on(places: Places, plan: FloorPlan) -> Array:
+    """On the table that was named, rather in its middle, shape (p,)."""
+    off = np.abs(places.points - plan.centre) / plan.half
+    return np.asarray((places.support < 0) * (off.max(axis=1) <= 1.0) * gaussian(off, WITHIN).prod(axis=1))
 
 
 def in_between(plan: FloorPlan, anchors: Anchors, points: Array) -> Array:

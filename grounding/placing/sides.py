@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from grounding.lexicon.degrees import gaussian
+from grounding.lexicon.words import is_edge
 from grounding.meaning.goal.clues import Clue
 from grounding.model.phrases import PhraseReader
 from grounding.placing.floor_plan import PITCH, FloorPlan
@@ -13,6 +14,7 @@ from grounding.world import Array
 from grounding.world.scene import SLANT
 
 OUT = 0.68  # how far out sides and corners are, of the way from the middle to the edge
+BORDER = 1.0  # how far what is put at an edge is from it [edges]
 ALONG = 0.16  # width along what is named, of the half extent
 ACROSS = 0.6  # width across it
 
@@ -33,7 +35,10 @@ def _target(clue: Clue, plan: FloorPlan, reader: PhraseReader) -> tuple[Array, A
     for name in flat:
         vector += np.round(plan.axes @ reader.scene.direction(name, noun.agent or reader.view))
     vector = np.clip(vector, -1, 1)
-    seen = np.array([0.0, -SLANT if vector[1] == 0 else 0.0])  # the middle of the picture is nearer than the table's
+    slanted = reader.scene.on_table and vector[1] == 0  # the middle of the picture is nearer than the table's
+    seen = np.array([0.0, -SLANT if slanted else 0.0])
+    if plan.board is None and any(is_edge(text) for text in noun.text.split()):
+        out = 1.0 - BORDER / plan.half
     centre = plan.centre + (vector * out + seen) * plan.half
     named = np.abs(vector) > 0.5
     free = ~named & bool(flat) & (not noun.middle)

@@ -8,10 +8,13 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from grounding.language.tree import Phrase
+from grounding.lexicon.table import under
 from grounding.meaning.goal.clues import RELATION, Clue
 from grounding.meaning.goal.items import Item, line_up
 from grounding.meaning.goal.listening import listen
+from grounding.meaning.wholes import noun_of_whole
 from grounding.model.phrases import PhraseReader
+from grounding.model.standing import meant_tables
 from grounding.placing import maps
 from grounding.placing.completing import completing
 from grounding.placing.finger_room import leave_room
@@ -89,7 +92,7 @@ def leads_off(phrases: Iterable[Phrase], source: int, reader: PhraseReader) -> b
         shift = Shift(clue.offsets, reader, plan.axes, 0.0 if plan.board is None else plan.pitch)
         if clue.relation == "own" and shift.said.any():
             end = plan.points[source] + shift.lengths
-            if bool((np.abs(end - plan.centre) > plan.half).any()):
+            if not bool(np.all(np.abs(end - plan.boxes[0]) <= plan.boxes[1], axis=1).any()):
                 return True
     return False
 
@@ -120,7 +123,8 @@ def _names(item: Item, source: int, reader: PhraseReader) -> bool:
 def _settle(clues: list[Clue], source: int, reader: PhraseReader) -> FoundSpot | None:
     """Find where clues lead together, see `find_spot`."""
     scene = reader.scene
-    plan = lay_out(scene, reader.view)
+    main = _table_of(clues, source, reader)
+    plan = lay_out(scene, reader.view, main)
     grounded = [g for clue in clues if (g := ground_clue(clue, source, plan, reader)) is not None]
     if not any(_tells_where(g.clue, source, plan) for g in grounded):
         return None
@@ -153,6 +157,19 @@ def _settle(clues: list[Clue], source: int, reader: PhraseReader) -> FoundSpot |
     if spot is None or spot.on or exact:
         return spot
     return replace(spot, point=leave_room(spot.point, source, scene))
+
+
+def _table_of(clues: list[Clue], source: int, reader: PhraseReader) -> int:
+    """The index of the table whose parts are meant: one that is named, else that on which something stands."""
+    scene = reader.scene
+    here = int(under(scene, scene.xy[[source]])[0])
+    for clue in clues:
+        for noun in clue.nouns:
+            named = noun if noun.head == "table" else noun_of_whole(noun)
+            if named is not None and named.head == "table" and (named.colors or named.directions or named.other):
+                fits = meant_tables(scene, reader.noun(named).referent, reader.view, here)
+                return int(np.argmax(fits)) if fits.any() else max(here, 0)
+    return max(here, 0)
 
 
 def _tells_where(clue: Clue, source: int, plan: FloorPlan) -> bool:

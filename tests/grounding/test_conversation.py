@@ -280,7 +280,7 @@ def test_what_was_only_picked_up_goes_back_to_its_place():
     assert result.actions[0].destination.position == pytest.approx(scene()["b1"].position)
 
 
-@pytest.mark.parametrize(("world", "text"), [("two_rows", "take a block"), ("twelve", "take a red block")])
+@pytest.mark.parametrize(("world", "text"), [("two_rows", "take the block"), ("twelve", "take the red block")])
 def test_the_words_of_a_question_are_its_best_answer(world, text):
     conversation, asked = talked(text, world=world)
     assert asked.outcome == "ambiguous"

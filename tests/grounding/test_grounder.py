@@ -104,7 +104,7 @@ def test_a_colour_that_is_not_there_is_named(text):
     assert "red" in result.explanation
 
 
-@pytest.mark.parametrize("text", ["pick up the block", "take a block", "grab the red block"])
+@pytest.mark.parametrize("text", ["pick up the block", "take the block", "grab the red block"])
 def test_one_of_twenty_is_asked_for(text):
     result = grounder().ground(text, scene("default"))
     assert result.outcome == "ambiguous"
@@ -153,7 +153,15 @@ def test_what_is_forbidden_is_not_done(text):
     assert answer(text, "default")[0] != "grounded"
 
 
-@pytest.mark.parametrize("text", ["pick up the red block", "take a blue cube", "the red block"])
+@pytest.mark.parametrize("text", ["take a blue cube", "grab any of the blue blocks", "pick up one of the blue blocks"])
+def test_any_of_two_will_do_where_any_is_asked_for(text):
+    result = grounder().ground(text, scene("four"))
+    assert result.outcome == "grounded"
+    assert scene("four")[result.actions[0].objects[0]].color == "blue"
+    assert len(result.actions[0].objects) == 1
+
+
+@pytest.mark.parametrize("text", ["pick up the red block", "take the blue cube", "the red block"])
 def test_which_of_two_blocks_is_asked(text):
     assert answer(text, "four")[0] == "ambiguous"
 

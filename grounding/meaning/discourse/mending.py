@@ -14,6 +14,7 @@ _DETERMINERS = frozenset("the a an this that these those its one two three".spli
 def mended(phrase: Phrase) -> Phrase:
     """A phrase whose torn parts are put together; the same one where nothing is torn."""
     children = tuple(mended(child) if isinstance(child, Phrase) else child for child in phrase.children)
+    children = _sided(children)
     children = _centred(_chosen(_owned(children, within=phrase.tag != "S")))
     if phrase.tag == "SBAR" and len(children) == 2 and isinstance(children[1], Phrase) and children[1].tag == "NP":
         return Phrase("PP", children)
@@ -44,6 +45,21 @@ def as_sentence(phrase: Phrase) -> Phrase:
 
 
 Children = tuple[Phrase | Word, ...]
+
+
+def _sided(children: Children) -> Children:
+    """For example "on (the right) (table)": one of several tables, named by its side."""
+    found: list[Phrase | Word] = []
+    for child in children:
+        before = found[-1] if found else None
+        bare = isinstance(child, Phrase) and child.tag == "NP" and len(child.children) == 1 and w.is_table(child.text)
+        side = isinstance(before, Phrase) and before.tag == "NP" and not before.phrases and w.directions(
+            before.leaves[-1].text)  # fmt: skip
+        if bare and side and isinstance(before, Phrase) and isinstance(child, Phrase):
+            found[-1] = Phrase("NP", (*before.children, *child.children))
+        else:
+            found.append(child)
+    return tuple(found)
 
 
 def _set_down(children: Children) -> Children:

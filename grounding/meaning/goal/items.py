@@ -96,7 +96,7 @@ def _spread(phrase: Phrase, items: list[Item]) -> None:
 
 def _take(phrase: Phrase, noun: Noun, texts: list[str], items: list[Item]) -> None:
     if noun.head == "table":
-        items.append(Item("table", phrase.text))
+        items.append(Item("table", phrase.text, noun=noun))
     elif noun.head == "pronoun" and len(texts) == 1:
         items.append(Item("pronoun", phrase.text))
     elif noun.conjoined:

@@ -62,7 +62,7 @@ class _Listener(Memory):
             case "place":
                 locate(self, item.noun)
             case "table":
-                reach_table(self)
+                reach_table(self, item.noun)
             case "shape" if item.noun is not None:
                 form(self, item.noun)
             case _:

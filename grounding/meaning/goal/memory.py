@@ -24,6 +24,7 @@ class Memory:
         tower: whether a stack comes about.
         height: of that stack, 0 where it is not said.
         surface: whether the table itself was named.
+        table: of several, the one that was named, or None.
         rank: the last ordinal, for what follows it ("the third" "story").
         owner: whose direction is next.
         face: directions of a side of what is moved.
@@ -43,6 +44,7 @@ class Memory:
         self.tower = False
         self.height = 0
         self.surface = False
+        self.table: Noun | None = None
         self.rank = 0
         self.owner: str | None = None
         self.face: tuple[str, ...] = ()
@@ -111,7 +113,9 @@ class Memory:
         if self.height > 1 or (self.tower and not any(clue.relation == "on" for clue in self.clues)):
             self.clues.append(Clue("tower", height=self.height))
         if self.surface and not self.clues:
-            self.clues.append(Clue("surface"))
+            self.clues.append(Clue("surface", () if self.table is None else (self.table,)))
+        elif self.table is not None:
+            self.clues.append(Clue("surface", (self.table,)))
         return self.clues
 
 

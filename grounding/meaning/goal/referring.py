@@ -89,8 +89,10 @@ def locate(memory: Memory, noun: Noun | None) -> None:
     memory.forget()
 
 
-def reach_table(memory: Memory) -> None:
+def reach_table(memory: Memory, noun: Noun | None) -> None:
     """Take in that the table as a whole is named: directions before it are its sides."""
+    if noun is not None and (noun.colors or noun.directions or noun.other):
+        memory.table, memory.surface = noun, True
     memory.surface |= memory.relation == "on"
     edge = any(g.is_face(text) for text in memory.since) and "to" in memory.since
     if memory.offsets and memory.offsets[-1].steps is None and (memory.binds() or edge):

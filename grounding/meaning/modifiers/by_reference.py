@@ -106,7 +106,9 @@ def _in_place(reader: Reads, heard: Heard, noun: Noun, reference: Referent) -> l
 
 def _on_table(reader: Reads, heard: Heard, noun: Noun, reference: Referent) -> list[Condition] | None:
     """For example "on the table", where others stand on blocks."""
-    return [Condition("on_table")] if reference.sort == TABLE and heard.last == "on" else None
+    if reference.sort != TABLE or heard.last not in ("on", "from", "off"):
+        return None
+    return [Condition("on_table", (reference,) if reference.conditions else (), said=heard.last)]
 
 
 def _off(reader: Reads, heard: Heard, noun: Noun, reference: Referent) -> list[Condition] | None:

@@ -38,6 +38,10 @@ def relate(reader: Reads, phrase: Phrase, head: Noun, further: tuple[str, ...] =
             return found
     noun = directed(heard, noun)
     reference = reader.refer(noun)
+    part = next((c for c in reference.conditions if c.concept == "part"), None)
+    if head.ordinals and heard.last == "from" and part is not None and part.region is not None:
+        counted = replace(part.region, rim=False, bare=True)  # "the second block" "from the top of the tower"
+        return [Condition("extreme", region=counted), Condition("member", part.of)]
     if _is_elliptic(heard):
         reference = replace(reference, like=True)
     for by_reference in BY_REFERENCE:
