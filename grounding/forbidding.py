@@ -12,8 +12,8 @@ _NEGATIONS = frozenset(("not", "n't", "never", "don't", "dont"))
 _NONE = frozenset(("0", "zero", "no"))
 _ASKING = frozenset("what which how where who whose why when is are does did was were".split())
 _OTHER_DEEDS = frozenset("let show swap exchange".split())  # whatever follows
-_POLITE = frozenset("please robot baxter hey hi hello ok okay now so then and you can could would will kindly just well no "
-                    "yes yeah nope nah not oh ah uh um hm hmm alright right fine sure".split())  # fmt: skip
+_POLITE = frozenset("please robot baxter hey hi hello ok okay now so then and you can could would will kindly just "
+                    "well no yes yeah nope nah not oh ah uh um hm hmm alright right fine sure".split())  # fmt: skip
 _PLACING = frozenset(HANDLING["place"])
 _BESIDE = frozenset("on onto atop upon to beside behind under below above near".split())
 _STATING = frozenset(("is", "are", "'s", "does", "was", "were", "am", "be", "will", "would", "should", "has", "have"))
