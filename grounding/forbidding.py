@@ -11,7 +11,7 @@ from grounding.meaning.discourse.verbs import BEING, HANDLING, HAVING, LOOKING, 
 _NEGATIONS = frozenset(("not", "n't", "never", "don't", "dont"))
 _NONE = frozenset(("0", "zero", "no"))
 _ASKING = frozenset("what which how where who whose why when is are does did was were".split())
-_OTHER_DEEDS = frozenset("let show swap exchange".split())  # whatever follows
+_OTHER_DEEDS = frozenset("let show".split())  # whatever follows
 _POLITE = frozenset("please robot baxter hey hi hello ok okay now so then and you can could would will kindly just "
                     "well no yes yeah nope nah not oh ah uh um hm hmm alright right fine sure".split())  # fmt: skip
 _PLACING = frozenset(HANDLING["place"])

@@ -29,6 +29,7 @@ from grounding.model.cases import Learned, Weights
 from grounding.model.evaluator import Evaluator
 from grounding.model.opinions import Opinion, with_opinions
 from grounding.model.storage import load_learned
+from grounding.plans import planned
 from grounding.result import GroundedAction, Grounding
 from grounding.returning import returned, returns
 from grounding.standpoint import unknown_side
@@ -248,14 +249,22 @@ class Grounder:
         while last is None and (step := course.next) is not None:
             scene = self.scene(course.world)
             text = course.text if len(course.steps) == 1 else step[0].tree.text
-            understanding = self._read(text, step, scene, course.history)
-            answer = course.with_arm(understanding.decided(course.before))
+            answer = self._planned(text, step, scene, course.history)
+            if answer is None:
+                understanding = self._read(text, step, scene, course.history)
+                answer = understanding.decided(course.before)
+            answer = course.with_arm(answer)
             if answer.outcome == "grounded":
                 course = course.after(answer)
             else:
                 last = answer
         result = course.result(last).timed(course.milliseconds + 1000 * (time.perf_counter() - start))
         return Followed(result, course, last, understanding)
+
+    def _planned(self, text: str, step: Step, scene: Scene, history: Sequence[str]) -> Grounding | None:
+        """The moves of a step that takes several, None for all others."""
+        handled = tuple(scene.layout.index[name] for name in history if name in scene.layout.index)
+        return planned(text, step, scene, handled, self.learned.referring)
 
     def understand(self, text: str, world: World, history: Sequence[str] = ()) -> Understanding:
         """Read an instruction as one thing to do, in every way that is likely; see `ground`."""

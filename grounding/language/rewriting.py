@@ -44,7 +44,7 @@ _READ_AS = {
     "coloured": "colored", "farest": "farthest", "furtherest": "furthest", "fartherest": "farthest",
     "centermost": "middle", "middlemost": "middle", "westmost": "westernmost", "eastmost": "easternmost",
     "northmost": "northernmost", "southmost": "southernmost", "til": "until", "till": "until",
-    "neighbour": "neighbor", "neighbours": "neighbors",
+    "neither": "not", "nor": "or", "neighbour": "neighbor", "neighbours": "neighbors",
 }  # fmt: skip
 
 _BLOCKS = frozenset(

@@ -139,8 +139,8 @@ def _counted_lines(scene: Scene, referent: Referent, stuff: np.ndarray) -> list[
     names = [name for region in regions for name in region.names]
     if kind is None or "diagonal" in referent.kinds or len(names) > 1:
         return []
-    ends = [_ENDS[kind][name] for name in names if name in _ENDS[kind]]
-    ordinals = [c.rank or 1 for c in referent.conditions if c.concept == "ordinal"]
+    ends = [_ENDS[kind][name] for name in names if name in _ENDS[kind]] or _by_person(scene, referent, kind)
+    ordinals = _ordinals(referent)
     middle = any(c.concept == "middle" for c in referent.conditions)
     if not (ordinals or ends or middle):
         return []
@@ -158,6 +158,22 @@ def _counted_lines(scene: Scene, referent: Referent, stuff: np.ndarray) -> list[
             looks = before + 1.0 / len(arrangement.GAPS)
             found[key] = arrangement.Candidate(parts[index], looks, "counted")
     return sorted(found.values(), key=lambda candidate: -candidate.looks)
+
+
+def _by_person(scene: Scene, referent: Referent, kind: str) -> list[int]:
+    """The end from which rows are counted by how far they are from somebody: "the second nearest row"."""
+    for condition in referent.conditions:
+        person_of = condition.of[0].person if condition.of else None
+        if kind == "row" and condition.concept in ("nearest", "farthest") and person_of is not None:
+            front = scene.direction("front", person_of)[0] < 0.0
+            return [-1 if front == (condition.concept == "nearest") else 0]
+    return []
+
+
+def _ordinals(referent: Referent) -> list[int]:
+    """The ranks that are said of lines, those by distance from somebody as well: "second closest to you"."""
+    return [c.rank or 1 for c in referent.conditions if c.concept == "ordinal" or (
+        c.rank is not None and c.concept in ("nearest", "farthest"))]  # fmt: skip
 
 
 def conjoined_cases(evaluator: Evaluates, referent: Referent) -> list[Case]:

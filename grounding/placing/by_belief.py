@@ -2,16 +2,21 @@
 
 from __future__ import annotations
 
+import numpy as np
+
 from grounding.language.tree import Phrase
 from grounding.lexicon import words as w
 from grounding.lexicon.table import tables, under
 from grounding.model.belief import Belief, Reading
-from grounding.model.phrases import reader_of
+from grounding.model.phrases import PhraseReader, reader_of
+from grounding.placing.finger_room import leave_room
+from grounding.placing.floor_plan import find_places, lay_out
 from grounding.placing.spots import FoundSpot, agreed, find_spot, leads, leads_off
 from grounding.result import Destination
 from grounding.world import Array
 from grounding.world.scene import Scene
 
+ASIDE = 2.2  # how far something is put aside at least, so that another one finds room in its place [edges]
 HEARD = 3  # readings that are asked where to
 
 
@@ -49,6 +54,19 @@ def destination(belief: Belief, objects: tuple[str, ...]) -> Destination | None:
         full.setdefault(words, said[0])  # where there is no room as one looks, nobody else's look finds any
     spot = agreed(list(found.values()), scene.edge)
     return None if spot is None else _stated(spot, source, scene)
+
+
+def free_place(source: int, reader: PhraseReader) -> Destination | None:
+    """The next free place on the table at which something leaves its own place free; None where there is none."""
+    scene = reader.scene
+    plan = lay_out(scene, reader.view)
+    places = find_places(plan, scene, source, np.zeros((0, 2)))
+    away = np.linalg.norm(places.points - plan.points[source], axis=1)
+    fits = np.flatnonzero((places.support < 0) & (away >= ASIDE))
+    if not len(fits):
+        return None
+    point = plan.world(places.points[fits[np.argmin(away[fits])]])
+    return _stated(FoundSpot(leave_room(point, source, scene), None, (), False, 1.0), source, scene)
 
 
 def leads_off_table(belief: Belief, objects: tuple[str, ...]) -> bool:

@@ -24,6 +24,7 @@ FROM_CENTRE, FROM_SIDE = 1.0, 0.45
 """Weights of counting blocks from the centre of something, and of counting between the sides."""
 EXACT = 0.1  # how far off something is that was measured [edges]
 OTHERWISE = 0.1  # how often a tower comes to be lower or higher than is said
+CLOSE = 0.9  # nothing that comes nearer to something goes beyond this distance from it [edges]
 WITHIN = 0.4  # how far from the middle of a table that is named, of its half extents
 SET_DOWN = 1.0  # within how many edges something is set down where only the table is named
 BESIDE = {"": 1.3, "slightly": 0.8, "far": 4.0}  # how far from a reference [edges]
@@ -272,4 +273,5 @@ def approaching(start: Array, anchors: Anchors, points: Array) -> Array:
     """Nearer to a reference than where it stands, on the way there, shape (p, h)."""
     along, across, length = _way(start, anchors.centre - start, points)
     left = length - along
-    return np.asarray(gaussian(across, 0.6) * np.exp(-np.maximum(left - 1.1, 0) / (0.5 * length)) * (along > 0.3))
+    before = (along > 0.3) & (left > CLOSE)
+    return np.asarray(gaussian(across, 0.6) * np.exp(-np.maximum(left - 1.1, 0) / (0.5 * length)) * before)

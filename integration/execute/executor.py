@@ -11,7 +11,7 @@ from integration.errors import NoPlan, UsageError
 from integration.execute.actions import carry_out, refuse_beyond_hands
 from integration.execute.checks import Check
 from integration.execute.incidents import Trouble
-from integration.execute.report import DONE, FAILED, NO_PLAN, NOT_GROUNDED, Handled, Report, Step
+from integration.execute.report import ANSWERED, DONE, FAILED, NO_PLAN, NOT_GROUNDED, Handled, Report, Step
 from integration.execute.stage import Planner, Stage, Watch
 from integration.worlds_and_scenes import scene_of, world_at
 from motion import Fault, MotionError, Pose, Sensor, SimulationDiverged
@@ -143,8 +143,8 @@ class Executor:
     def _ungrounded(self, grounding: Grounding, world: World, steps: tuple[Step, ...]) -> Report:
         """The report where there is nothing to do."""
         if grounding.answer is not None:
-            return Report(grounding.instruction, NOT_GROUNDED, grounding.answer, grounding, world, world, self._seed,
-                          "answered", steps=steps)  # fmt: skip
+            return Report(grounding.instruction, ANSWERED, grounding.answer, grounding, world, world, self._seed,
+                          steps=steps)  # fmt: skip
         why = grounding.outcome if grounding.outcome in _UNGROUNDED else "no_referent"
         message = grounding.question or grounding.explanation or _UNGROUNDED[why]
         return Report(

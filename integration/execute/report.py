@@ -12,8 +12,8 @@ from integration.execute.checks import Check
 from integration.execute.incidents import Incident
 from motion import PhaseRecord, Pose, RobotState
 
-DONE, NOT_GROUNDED, NO_PLAN, FAILED = OUTCOMES = ("done", "not_grounded", "no_plan", "failed")
-EXIT_CODES = {DONE: 0, NOT_GROUNDED: 3, NO_PLAN: 4, FAILED: 5}
+DONE, ANSWERED, NOT_GROUNDED, NO_PLAN, FAILED = OUTCOMES = ("done", "answered", "not_grounded", "no_plan", "failed")
+EXIT_CODES = {DONE: 0, ANSWERED: 0, NOT_GROUNDED: 3, NO_PLAN: 4, FAILED: 5}
 
 
 @dataclass(frozen=True)

@@ -11,7 +11,7 @@ from grounding.pictures.marks import listed, meaning_of, telling
 from grounding.result import Grounding, PhraseGrounding
 from grounding.symbols import ObjectSymbol
 from integration.execute.checks import Check, gathered
-from integration.execute.report import DONE, Report, Step
+from integration.execute.report import ANSWERED, DONE, Report, Step
 
 _NARROWEST, _WIDEST = 72, 128
 
@@ -56,8 +56,8 @@ def summary(report: Report, style: Style | None = None) -> str:
         blocks.append(_checked(report.checks, style))
     if report.pictures:
         blocks.append([f"{'Pictures':<10}{report.pictures[0]}", *(f"{'':<10}{name}" for name in report.pictures[1:])])
-    verdict = {"done": "Done", "not_grounded": "Not grounded", "no_plan": "No plan", "failed": "Failed"}[report.outcome]
-    color = "1;32" if report.outcome == DONE else "1;31"
+    verdict = report.outcome.replace("_", " ").capitalize()
+    color = "1;32" if report.outcome in (DONE, ANSWERED) else "1;31"
     blocks.append([f"{style.paint(verdict, color)}: {report.message}"])
     return "\n\n".join("\n".join(lines) for lines in blocks if lines)
 

@@ -65,6 +65,8 @@ def is_course(phrase: Phrase) -> bool:
     if first in _RESULTS or (first in ("in", "at") and len(phrase.leaves) > 2 and w.is_measure(phrase.leaves[2].text)):
         return True
     nouns = [p for p in phrase.preorder() if p.tag == "NP"]
+    if first == "by" and nouns and all(is_length(read_noun(p), [leaf.text for leaf in p.leaves]) for p in nouns):
+        return True
     lengths = [is_length(read_noun(p), [leaf.text for leaf in p.leaves]) for p in nouns]
     things = any(
         not length and not p.phrases and read_noun(p).head in _THINGS for p, length in zip(nouns, lengths, strict=True)

@@ -10,7 +10,7 @@ from grounding.lexicon import words as w
 from grounding.meaning.modifiers.adjoining import steps_from
 from grounding.meaning.modifiers.having import having, possessions
 from grounding.meaning.modifiers.relating import relate
-from grounding.meaning.nouns import Noun, read_noun
+from grounding.meaning.nouns import Noun, read_noun, read_words
 from grounding.meaning.reading import Reads
 from grounding.meaning.referents import SETS, Condition
 from grounding.meaning.things import own_conditions
@@ -78,12 +78,23 @@ def _negated(reader: Reads, phrase: Phrase, head: Noun) -> list[Condition]:
     kept = tuple(word for word in phrase.words if not w.is_negation(word.text))
     parts = phrase.phrases or ((Phrase(phrase.tag, kept),) if kept else ())  # "that is not red"
     found: list[Condition] = []
+    colours = _colours(phrase)
+    if colours:
+        return [Condition("colour", words=colours, negated=True)]
     for child in parts:
         said = reader.conditions(child, head)
         if child.tag == "NP" and _names_one(read_noun(child), said):
             said = [Condition("same", (reader.refer(read_noun(child)),))]
         found += said
     return [replace(condition, negated=not condition.negated) for condition in found if not condition.ranks]
+
+
+def _colours(phrase: Phrase) -> tuple[str, ...]:
+    """The colours that a phrase denies, where it says nothing else: "neither red nor blue"."""
+    rest = [leaf for leaf in phrase.leaves if not w.is_negation(leaf.text) and leaf.tag not in ("VBZ", "VBP", "CC")]
+    words = tuple(leaf for leaf in rest if leaf.text not in ("or", "and"))
+    said = read_words(words)
+    return said.colors if len(said.colors) == len(words) else ()
 
 
 def _names_one(noun: Noun, said: list[Condition]) -> bool:

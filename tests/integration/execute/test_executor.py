@@ -232,3 +232,27 @@ def test_goals_that_make_no_sense_are_refused_before_anything_moves(action, name
     assert report.handled == ()
     for item in world.objects:
         assert report.truth[item.id].position == pytest.approx(item.position, abs=1e-3)
+
+
+@pytest.mark.parametrize("arm", ["left", "right"])
+def test_the_hand_that_was_said_is_used(arm):
+    text = f"pick up the middle block in the row of five blocks with your {arm} hand"
+    report = Executor().run(text, scene("default"))
+    assert report.grounding.actions[0].arm == arm
+    assert report.outcome in ("done", "no_plan")
+    assert report.arms == ((arm,) if report.outcome == "done" else ())
+
+
+def test_a_swap_leaves_each_where_the_other_was():
+    world = scene("four")
+    report = Executor().run("swap the two blue blocks", world)
+    assert report.outcome == "done"
+    for one, other in (("b2", "b3"), ("b3", "b2")):
+        assert report.final_world[one].position == pytest.approx(world[other].position, abs=AT_GOAL)
+
+
+def test_a_question_is_answered_and_nothing_moves():
+    world = scene("four")
+    report = Executor().run("how many blue blocks are there?", world)
+    assert (report.outcome, report.exit_code, report.message) == ("answered", 0, "there are two")
+    assert not report.handled
