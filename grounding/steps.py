@@ -33,6 +33,7 @@ FAINT = 0.05  # things that a description hardly means are none that two descrip
 HOLDS = 0.1  # what is described worse than this is no thing to handle
 _PREPARING = frozenset("touch reach raise want need hold see look find".split())
 _ACTING = frozenset(word for words in HANDLING.values() for word in words) - _PREPARING
+_JOINTS = frozenset("and then".split())
 _POINTING = frozenset("that this those these".split())
 _NAMED = ("block", "container")
 
@@ -112,7 +113,7 @@ def _named(clause: Phrase) -> Noun | None:
 
 
 def _unfolded(tree: Phrase) -> list[Phrase]:
-    """The clauses, with a verb for each thing that shares one: "put A on B and C on D"."""
+    """The clauses, with a verb for each thing that shares one: "put A on B, then C on D"."""
     return [part for clause in clauses_of(tree) for part in _shared(clause)]
 
 
@@ -129,7 +130,7 @@ def _shared(clause: Phrase) -> list[Phrase]:
         inner = last.children[-1] if last.tag == "S" else last
         if isinstance(inner, Phrase) and _named(inner) is not None:
             return [Phrase("VP", (*clause.children[:-1], *before)), *_shared(inner)]
-    joint = next((leaf for leaf in clause.leaves[3:] if leaf.tag == "CC" and leaf.text == "and"), None)
+    joint = next((leaf for leaf in clause.leaves[3:] if leaf.text in _JOINTS), None)
     verb = tuple(word for word in clause.words if word.text in HANDLING["place"])
     if joint is None or not verb or any(is_between(leaf.text) for leaf in clause.leaves):
         return [clause]

@@ -30,6 +30,8 @@ def kindred(word: str) -> str | None:
     """
     if vocabulary().has("kind", word):
         return "blocks" if word.endswith(("s", "dra")) else "block"
+    if word.endswith("s") and _is_colour(word[:-1]) and not _is_colour(word):
+        return "blocks"  # "the greens"
     if vocabulary().has("unit", word):
         return "space" if word in ("foot", "yard") or word.endswith(("re", "er", "h")) else "spaces"
     if vocabulary().has("tint", word):

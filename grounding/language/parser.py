@@ -114,7 +114,7 @@ class Parser:
         """
         if k < 1:
             raise LanguageError(f"expected at least one reading to be asked for and found k={k}")
-        sentences = part_commands(rewrite(tokenize(text), self._is_known))
+        sentences = part_commands(rewrite(tokenize(text), self._is_known), self._is_verb)
         if not sentences:
             raise LanguageError(f"expected an instruction and found a text without words: {text[:40]!r}")
         roots, whole, count = [], True, 0
@@ -149,6 +149,11 @@ class Parser:
                 if complete and other.score + _SKIPPED > found[0].score:
                     found = (Node(other.score + _SKIPPED, [(_SKIPPED, other, None)]), [word])
         return found
+
+    def _is_verb(self, word: str) -> bool:
+        """Whether a word is mostly a verb, in the treebank or as its kin is."""
+        counts = self.grammar.words.counts.get(word) or self.grammar.words.counts.get(kindred(word) or "", {})
+        return 2 * sum(n for tag, n in counts.items() if tag.startswith("VB")) > sum(counts.values())
 
     def _is_known(self, word: str) -> bool:
         known = self.grammar.words.is_known(word) or word in _LEXICON or bool(meanings(word))

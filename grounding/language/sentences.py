@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 from grounding.language.tokens import Token
 
@@ -28,23 +28,31 @@ def split_sentences(tokens: Sequence[Token]) -> tuple[tuple[Token, ...], ...]:
     return _split(tokens, at_commands=False)
 
 
-def part_commands(tokens: Sequence[Token]) -> tuple[tuple[Token, ...], ...]:
+def part_commands(
+    tokens: Sequence[Token], is_verb: Callable[[str], bool] = lambda word: True
+) -> tuple[tuple[Token, ...], ...]:
     """The same, parted before commands as well that run into what was said before.
 
     For example "there are two blocks on the left take the lower one", "... on the left Take the lower one" and "the box
-    is the highest, place it on the tower".
+    is the highest, place it on the tower". A text without verbs is parted at its commas: "the far row, middle block".
+
+    Args:
+        tokens: of a text.
+        is_verb: tells whether a word is mostly one.
     """
-    return _split(tokens, at_commands=True)
+    parted = not any(is_verb(token.text) for token in tokens)
+    return _split(tokens, at_commands=True, at_commas=parted)
 
 
-def _split(tokens: Sequence[Token], *, at_commands: bool) -> tuple[tuple[Token, ...], ...]:
+def _split(tokens: Sequence[Token], *, at_commands: bool, at_commas: bool = False) -> tuple[tuple[Token, ...], ...]:
     sentences: list[list[Token]] = [[]]
     parted = False
     for place, token in enumerate(tokens):
         if at_commands and sentences[-1] and _begins(token, sentences[-1], parted):
             sentences.append([])
         parted = token.text == ","
-        if token.ends_sentence or (token.text in _DASHES and _sets_apart(tokens, place)):
+        ends = token.ends_sentence or token.text == ":" or (at_commas and token.text == ",")
+        if ends or (token.text in _DASHES and _sets_apart(tokens, place)):
             sentences.append([])
         elif token.is_word:
             sentences[-1].append(token)

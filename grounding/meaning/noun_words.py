@@ -112,6 +112,17 @@ class NounWords:
             self.tint = tint
         return tint is not None
 
+    def _coloured_ones(self, word: Word) -> bool:
+        """A colour in the plural: "the greens"."""
+        text = word.text
+        named = [symbol for symbol in meanings(text[:-1]) if isinstance(symbol, ObjectColor)]
+        if text[-1:] != "s" or not named or meanings(text):
+            return False
+        self._colour(named[0].name)
+        self.heads.append("block")
+        self.said["plural"] = True
+        return True
+
     def _number(self, value: int) -> None:
         self.counts.append(value)
         self.count = value
@@ -270,7 +281,7 @@ class NounWords:
 
     def _placed(self, head: str, said: dict[str, Any]) -> str:
         """The head where distances, the middle or somebody change it."""
-        if head == "block" and self.far and not (self.directions or said.get("distance")):
+        if head in ("block", "container") and self.far and not (self.directions or said.get("distance")):
             said["distance"] = "far"  # "the far one"
         if head == "table" and said.get("middle"):
             head = "place"  # "the table center"
@@ -300,7 +311,8 @@ class NounWords:
 
 
 _HEARING: tuple[Callable[[NounWords, Word], bool], ...] = (
-    NounWords._article, NounWords._tint, NounWords._symbol, NounWords._amount, NounWords._standing,
-    NounWords._arrangement, NounWords._thing, NounWords._distance, NounWords._direction, NounWords._pronoun,
+    NounWords._article, NounWords._tint, NounWords._coloured_ones, NounWords._symbol, NounWords._amount,
+    NounWords._standing, NounWords._arrangement, NounWords._thing, NounWords._distance, NounWords._direction,
+    NounWords._pronoun,
 )  # fmt: skip
 """What a word may say, in the order in which it is tried."""

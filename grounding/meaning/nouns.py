@@ -79,7 +79,7 @@ def read_noun(phrase: Phrase) -> Noun:
     kept: dict[str, object] = phrase.__dict__
     noun = kept.get(_KEPT)
     if not isinstance(noun, Noun):
-        noun = kept[_KEPT] = _read(phrase)
+        noun = kept[_KEPT] = _as_set(_read(phrase))
     return noun
 
 
@@ -89,6 +89,15 @@ def is_measuring(noun: Noun) -> bool:
     return noun.head == "measure" or (noun.head == "block" and noun.number is not None and not noun.definite) or (
         noun.head == "block" and noun.number is not None and not told and not noun.text.startswith("the ")
     )
+
+
+def _as_set(noun: Noun) -> Noun:
+    """A grid that is told from others is one of blocks: "the green grid", "a grid of six"."""
+    grid = noun.head == "table" and any(w.is_layout(text) for text in noun.text.split())
+    made = any(m.leaves[0].text in ("of", "with") and len(m.leaves) > 1 for m in noun.modifiers)
+    if grid and (noun.colors or noun.number or made):
+        return replace(noun, head="container", kinds=("group",))
+    return noun
 
 
 def _read(phrase: Phrase) -> Noun:

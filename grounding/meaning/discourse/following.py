@@ -5,7 +5,7 @@ from __future__ import annotations
 from grounding.language.tree import Phrase
 from grounding.meaning.discourse.clauses import clauses_of
 from grounding.meaning.discourse.sentences import read_sentence
-from grounding.meaning.discourse.told import Told, add, is_informative, name, take
+from grounding.meaning.discourse.told import Told, add, is_informative, mention, name, take
 from grounding.meaning.discourse.verbs import HANDLING, SETTING_OFF
 from grounding.meaning.nouns import read_noun
 from grounding.meaning.reader import Reader
@@ -17,7 +17,10 @@ def read_text(tree: Phrase, reader: Reader) -> Told:
     clauses = clauses_of(tree)
     for place, clause in enumerate(clauses):
         told.continued = any(_resumes(further) for further in clauses[place + 1 :])
-        _follow(clause, reader, told)
+        if told.target is None and place + 1 < len(clauses) and _introduces(clause):
+            mention(read_noun(clause), reader, told)
+        else:
+            _follow(clause, reader, told)
     if told.target is None and told.mentioned is not None:
         told.target = told.mentioned
     if told.target is None and not _moves_it(tree, told):
@@ -26,6 +29,12 @@ def read_text(tree: Phrase, reader: Reader) -> Told:
     if told.kind == "pick" and not told.destination and _only_moves(tree):
         told.kind = "place"
     return told
+
+
+def _introduces(clause: Phrase) -> bool:
+    """Whether a clause only names a set, of which the next one chooses: "the row of five. Take its middle block"."""
+    noun = read_noun(clause) if clause.tag == "NP" else None
+    return noun is not None and (noun.head == "container" or (noun.head == "block" and noun.plural))
 
 
 def _follow(clause: Phrase, reader: Reader, told: Told) -> None:

@@ -119,8 +119,11 @@ def _take_again(noun: Noun, reader: Reader, told: Told) -> None:
 
 def mention(noun: Noun, reader: Reader, told: Told) -> None:
     """Something is spoken of before it is said what to do."""
+    before = told.mentioned if told.plural else None
     with reader.within(told.mentioned, several=told.plural):
         found = reader.refer(noun)
+    if before is not None and found.sort == SETS and noun.head == "container" and not noun.plural:
+        found = found.having(Condition("member", (before,), said="told"))  # "the grid of six: its far row"
     if found.sort in _THINGS:
         told.mentioned = found
         told.plural = found.sort == SETS
@@ -193,4 +196,5 @@ def _begin(piece: Phrase, reader: Reader, told: Told) -> None:
     if all(condition.chooses for condition in conditions) and conditions[0].of:
         told.mentioned, told.plural = conditions[0].of[0], True
     else:
-        told.target = Referent(OBJECTS, tuple(conditions), text=piece.text)
+        of = (Condition("those", (told.mentioned,), said="told"),) if told.mentioned is not None and told.plural else ()
+        told.target = Referent(OBJECTS, (*conditions, *of), text=piece.text)
