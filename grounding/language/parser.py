@@ -13,6 +13,7 @@ from grounding.errors import LanguageError
 from grounding.language.cky import FRAGMENT, Beam, Cover, Lexeme, parse_forest
 from grounding.language.compiled import read_grammar
 from grounding.language.events import label_of
+from grounding.language.fillers import without_fillers
 from grounding.language.forest import Node
 from grounding.language.grammar import Grammar
 from grounding.language.kindred import kindred
@@ -114,7 +115,7 @@ class Parser:
         """
         if k < 1:
             raise LanguageError(f"expected at least one reading to be asked for and found k={k}")
-        sentences = part_commands(rewrite(tokenize(text), self._is_known), self._is_verb)
+        sentences = part_commands(rewrite(without_fillers(tokenize(text)), self._is_known), self._is_verb)
         if not sentences:
             raise LanguageError(f"expected an instruction and found a text without words: {text[:40]!r}")
         roots, whole, count = [], True, 0
