@@ -82,9 +82,9 @@ def _far_from(reader: Reads, heard: Heard, noun: Noun) -> list[Condition] | None
 
 
 def _all_the_way(reader: Reads, heard: Heard, noun: Noun) -> list[Condition] | None:
-    """For example "all the way to the left", "far on the right", "most to the left"."""
+    """For example "all the way to the left", "far on the right", "more to the left"."""
     far = "far" in (heard.said.distance, noun.distance) and noun.head == "place"
-    if not {"way", "most"} & set(heard.texts) and not far:
+    if not {"way", "most", "more"} & set(heard.texts) and not far:
         return None
     reference = reader.refer(noun)
     if reference.sort != PLACE:
