@@ -106,6 +106,8 @@ def _refused(
     doubted = gone or (heard and belief.is_empty)
     if doubted and literal.missing:
         return Grounding(text, "no_referent", explanation=literal.missing, unknown_words=words)
+    if understood and belief.on_another_table:
+        return Grounding(text, "no_referent", explanation="nothing of the kind is on that table", unknown_words=words)
     if doubted or (belief.agreement < CREDIBLE and not literal.options):
         missing = whats_missing(tree, scene) if doubted or understood else None
         if missing is not None:

@@ -31,6 +31,7 @@ TRUE = 0.5
 ALIKE = 0.9
 LIKELY = 0.5
 """Of what is asked about, all that are so likely as the best are told; of what is ranked those that are alike."""
+_OPENING = r"^(?:(?:please|hey|hi|so|ok|okay|robot|baxter),? )*(?:(?:can|could) you )?(?:(?:please )?tell me,? )?"
 _BE = r"(?:is|are|'s|was|were)"
 _SEEING = r"(?:(?:do|can|could) you (?:see|have|find)|does (?:the )?(?:table|world|robot|scene) have|have you got)"
 _ON = r"(?:(?:standing|sitting|lying|resting|stacked|placed)\s+)?(?:on|upon|on top of)"
@@ -72,7 +73,8 @@ def inquiry_of(text: str) -> Inquiry | None:
     Args:
         text: of a person.
     """
-    plain = re.sub(r"\s+", " ", text.strip().lower()).rstrip(" ?.!")
+    plain = re.sub(r"\s+", " ", text.strip().lower().replace("\u2019", "'")).rstrip(" ?.!")
+    plain = re.sub(r"\b(what|where|which|who)'s\b", r"\1 is", re.sub(_OPENING, "", plain))
     for kind, form in _FORMS:
         match = re.fullmatch(form, plain)
         if match:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from itertools import pairwise
 
 import numpy as np
@@ -66,6 +67,8 @@ def _swapped(text: str, command: Phrase, thing: Phrase, reader: PhraseReader) ->
         of = (*noun.modifiers, *(child for child in command.phrases if child.tag == "PP"))
         inner = [p for m in of if [word.text for word in m.words] == ["of"] for p in m.phrases if p.tag == "NP"]
         noun = read_noun(inner[0]) if inner else noun
+    else:
+        noun = _with_rest(noun, [child for child in command.phrases if child.tag == "PP"])
     if noun.head == "pronoun":
         return None
     found = _set(text, noun, reader, 2)
@@ -80,6 +83,15 @@ def _swapped(text: str, command: Phrase, thing: Phrase, reader: PhraseReader) ->
         return _refused(text, "there is no free place to put one of them aside")
     return _moves(text, scene, [(first, aside), (second, _place_of(scene, first, second)),
                                 (first, _place_of(scene, second, first))])  # fmt: skip
+
+
+def _with_rest(noun: Noun, rest: Sequence[Phrase]) -> Noun:
+    """A noun with what stands behind it, which tells of the last thing that it names: "A and B" "on the left"."""
+    if not rest:
+        return noun
+    if noun.conjoined:
+        return replace(noun, conjoined=(*noun.conjoined[:-1], Phrase("NP", (noun.conjoined[-1], *rest))))
+    return replace(noun, modifiers=(*noun.modifiers, *rest))
 
 
 def _stacked(text: str, command: Phrase, thing: Phrase, reader: PhraseReader) -> Grounding | None:

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from grounding.language.tokens import Token
 
-_HESITATING = frozenset("um uh er erm hm hmm mm uhm umm eh ah oh".split())
+_HESITATING = frozenset("um uh er erm hm hmm uhm umm eh ah oh".split())
 _OPENING = frozenset("okay ok so well right now hey alright anyway great good listen look see robot baxter hello hi"
                      .split())  # fmt: skip
 """What opens a sentence and says nothing where a comma follows."""

@@ -181,7 +181,10 @@ def at_place(reader: ReadsLiterally, meant: Meant, preposition: str, noun: Noun,
 
 
 def _table_of(reader: ReadsLiterally) -> tuple[str, ...]:
-    return tuple(item.id for item in reader.layout.world.objects if item.type == "table")[:1]
+    found = tuple(item.id for item in reader.layout.world.objects if item.type == "table")
+    if len(found) > 1:
+        raise Unread("which of the tables?")
+    return found
 
 
 def _beside(

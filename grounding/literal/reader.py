@@ -56,8 +56,9 @@ class LiteralReader:
             Unread: it is beyond what is read literally.
             Missing: it means nothing that is there.
         """
-        if noun.sized and vary(self.scene):
-            raise Unread(noun.text)  # sizes are compared and not looked up
+        several = noun.head == "table" and bool(noun.colors or noun.directions or noun.other)
+        if several or (noun.sized and vary(self.scene)):
+            raise Unread(noun.text)  # sizes and tables are compared and not looked up
         try:
             return self._meant(noun, base)
         except Missing as missing:

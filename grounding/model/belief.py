@@ -10,6 +10,7 @@ import numpy as np
 from grounding.language.parser import Parse
 from grounding.language.tree import Phrase
 from grounding.lexicon.degrees import peak
+from grounding.lexicon.parameters import value
 from grounding.lexicon.size import vary
 from grounding.meaning.discourse.following import read_text
 from grounding.meaning.discourse.told import Told
@@ -111,6 +112,16 @@ class Belief:
         """Whether the likeliest reading asks for any one of several: "a red block", "any block of the row"."""
         target = self.readings[0].told.target if self.readings else None
         return target is not None and target.sort == OBJECTS and not target.definite
+
+    @property
+    def on_another_table(self) -> bool:
+        """Whether what is asked for is said to be on one of several tables where nothing of its kind is."""
+        reading = self.readings[0] if self.readings else None
+        target = None if reading is None else reading.told.target
+        said = () if target is None else target.conditions
+        if reading is None or not any(c.concept == "on_table" and c.of and not c.negated for c in said):
+            return False
+        return max((peak(case.truth) for case in reading.cases), default=0.0) <= 2 * value("answer.floor")
 
     @property
     def agreement(self) -> float:

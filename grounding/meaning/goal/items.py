@@ -97,6 +97,9 @@ def _spread(phrase: Phrase, items: list[Item]) -> None:
 def _take(phrase: Phrase, noun: Noun, texts: list[str], items: list[Item]) -> None:
     if noun.head == "table":
         items.append(Item("table", phrase.text, noun=noun))
+        for modifier in noun.modifiers:
+            if modifier.tag == "PP" and modifier.leaves[0].text != "of":
+                _enter(modifier, items)  # "on the table" "10 cm behind X"
     elif noun.head == "pronoun" and len(texts) == 1:
         items.append(Item("pronoun", phrase.text))
     elif noun.conjoined:
