@@ -20,6 +20,7 @@ from grounding.unanswered import nothing_before, open_options, unanswered
 from grounding.world.scene import Scene
 
 CREDIBLE = 0.1  # what agrees less with the world is not answered where something is seen to be missing
+UNSURE = 0.35  # where something is literally missing this much doubt is enough not to act
 CHOICE = 0.7  # where any will do, so likely one of those that are alike has to be meant
 ALIKE = 0.5  # those are alike that are at least so likely as the best
 EVEN = 0.2  # where many are possible, those that are at most so much less likely than the best are
@@ -104,7 +105,7 @@ def _refused(
     heard = bool(understood or literal.missing)
     gone = heard and belief.nothing >= value("answer.missing")
     doubted = gone or (heard and belief.is_empty)
-    if doubted and literal.missing:
+    if literal.missing and (doubted or (heard and belief.nothing >= UNSURE)):
         return Grounding(text, "no_referent", explanation=literal.missing, unknown_words=words)
     if understood and belief.on_another_table:
         return Grounding(text, "no_referent", explanation="nothing of the kind is on that table", unknown_words=words)

@@ -114,7 +114,24 @@ def _named(clause: Phrase) -> Noun | None:
 
 def _unfolded(tree: Phrase) -> list[Phrase]:
     """The clauses, with a verb for each thing that shares one: "put A on B, then C on D"."""
-    return [part for clause in clauses_of(tree) for part in _shared(clause)]
+    found: list[Phrase] = []
+    for clause in clauses_of(tree):
+        further = _understood(found[-1], clause) if found else None
+        found += _shared(clause if further is None else further)
+    return found
+
+
+def _understood(before: Phrase, clause: Phrase) -> Phrase | None:
+    """A clause that leaves out the verb of the one before: "put A on B" ", and C on D"; None for others."""
+    verb = next((word for word in before.words if word.text in HANDLING["place"]), None)
+    if clause.tag != "NP" or before.tag != "VP" or verb is None or clause.leaves[0].text not in _JOINTS:
+        return None
+    things = [phrase for phrase in clause.preorder() if phrase.tag == "NP" and phrase.leaves[0].text not in _JOINTS]
+    thing = things[0] if things else None
+    if thing is None or len(thing.children) < 2 or not _places(thing.phrases[-1] if thing.phrases else thing):
+        return None
+    index = clause.leaves[0].index
+    return Phrase("VP", (replace(verb, index=index), *thing.children))
 
 
 def _shared(clause: Phrase) -> list[Phrase]:

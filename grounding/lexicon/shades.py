@@ -13,7 +13,6 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from grounding.errors import LexiconError
-from grounding.lexicon.parameters import value
 from grounding.lexicon.vocabulary import read_toml, vocabulary
 
 if TYPE_CHECKING:
@@ -106,7 +105,7 @@ def shade(said: str) -> Color | None:
         return Color(known.seen)
     base, tint = shade(base_of(plain)) if base_of(plain) != plain else None, _TINTS.get(plain.partition("-")[0])
     if base is not None and tint is not None:
-        return base.mix(tint, value("colour.tint"), space="lab-d65")
+        return base.mix(tint, 0.5, space="lab-d65")  # half of each
     try:
         return Color(plain)
     except ValueError:
