@@ -14,13 +14,12 @@ from grounding.language.tree import Phrase
 from grounding.lexicon import arrangement
 from grounding.lexicon import words as w
 from grounding.lexicon.kind import is_type
-from grounding.lexicon.size import vary
 from grounding.meaning.nouns import Noun, read_noun
 from grounding.meaning.reader import Reader
-from grounding.meaning.reading import Context
 from grounding.meaning.referents import SETS, Referent
 from grounding.model.cases import Weights
 from grounding.model.evaluator import Evaluator
+from grounding.model.surroundings import context_in
 from grounding.numbers import listed, spelled
 from grounding.result import Grounding
 from grounding.world import Array
@@ -132,7 +131,7 @@ class _Asked:
         self.noun = read_noun(phrase)
         self.text = phrase.text
         self.evaluator = Evaluator(scene, ROBOT, weights=weights)
-        self.referent: Referent = Reader(Context(sizes=vary(scene))).refer(self.noun)
+        self.referent: Referent = Reader(context_in(scene)).refer(self.noun)
         kinds = [item.type for item in scene.layout.things]
         known = self.noun.strange and any(is_type(self.noun.unknown[-1], name) for name in kinds)
         self.names_something = self.noun.head in ("block", "container") or known
@@ -141,7 +140,7 @@ class _Asked:
 
     def truths(self) -> Array:
         """How well every object is one of those that are spoken of, shape (n,), alone and without ranks."""
-        single = Reader(Context(sizes=vary(self.scene))).refer(_singular(self.noun))
+        single = Reader(context_in(self.scene)).refer(_singular(self.noun))
         found = [case.truth for case in self.evaluator.cases(single) if case.masks is None]
         return np.max(found, axis=0) if found else np.zeros(self.scene.n)
 

@@ -12,16 +12,15 @@ import numpy as np
 
 from grounding.language.parser import Parse
 from grounding.language.tree import Phrase, Word
-from grounding.lexicon.size import vary
 from grounding.lexicon.words import is_between
 from grounding.meaning.discourse.clauses import clauses_of
 from grounding.meaning.discourse.following import read_text
 from grounding.meaning.discourse.verbs import HANDLING
 from grounding.meaning.nouns import Noun, read_noun
 from grounding.meaning.reader import Reader
-from grounding.meaning.reading import Context
 from grounding.model.cases import Denotation, Weights
 from grounding.model.evaluator import EVEN, Evaluator
+from grounding.model.surroundings import context_in
 from grounding.world.scene import Scene
 
 Step = tuple[Parse, ...]
@@ -67,7 +66,7 @@ def _commands(tree: Phrase) -> list[Phrase]:
 
 def _groups(tree: Phrase, evaluator: Evaluator) -> list[Phrase]:
     """The clauses of each step, under one root."""
-    context = Context(handled=bool(evaluator.history), sizes=vary(evaluator.scene))
+    context = context_in(evaluator.scene, evaluator.history)
     groups: list[list[Phrase]] = [[]]
     for clause in _unfolded(tree):
         noun = _named(clause)

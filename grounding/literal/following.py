@@ -5,15 +5,14 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from grounding.language.tree import Phrase
-from grounding.lexicon.size import vary
 from grounding.literal.choosing import half
 from grounding.literal.reader import LiteralReader
 from grounding.literal.values import FIRM, Meant, Missing, Unread
 from grounding.meaning.nouns import Noun
 from grounding.meaning.reader import Reader
-from grounding.meaning.reading import Context
 from grounding.meaning.referents import NOTHING, OBJECTS, PERSON, PLACE, SETS, TABLE, Condition, Referent
 from grounding.meaning.wholes import region_of
+from grounding.model.surroundings import context_in
 
 _SORTS = {"agent": PERSON, "place": PLACE, "table": TABLE}
 _PARTS = frozenset("half side part section area".split())
@@ -52,7 +51,7 @@ class Follower(Reader):
     """
 
     def __init__(self, reader: LiteralReader) -> None:
-        super().__init__(Context(handled=bool(reader.history), sizes=vary(reader.scene)))
+        super().__init__(context_in(reader.scene, reader.history))
         self.literal = reader
 
     def refer(self, noun: Noun) -> Referent:

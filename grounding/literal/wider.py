@@ -15,12 +15,11 @@ import numpy as np
 
 from grounding.geometry.masks import indices_of
 from grounding.lexicon import arrangement, colour
-from grounding.lexicon.size import vary
 from grounding.literal.values import FIRM, Missing
 from grounding.meaning.nouns import Noun
 from grounding.meaning.reader import Reader
-from grounding.meaning.reading import Context
 from grounding.model.evaluator import Evaluator
+from grounding.model.surroundings import context_in
 from grounding.world.scene import ROBOT, Scene
 
 HELD = 0.25
@@ -97,7 +96,7 @@ def looks_stacked(scene: Scene, noun: Noun) -> bool:
 
 
 def _by(evaluator: Evaluator, noun: Noun) -> float:
-    reader = Reader(Context(handled=bool(evaluator.history), sizes=vary(evaluator.scene)))
+    reader = Reader(context_in(evaluator.scene, evaluator.history))
     if noun.head == "block" and noun.plural:
         # several are worth what the worst of so many is: as sets they are only weighed against each other
         number = noun.number or (2 if "both" in noun.text.split() else 1)

@@ -85,7 +85,7 @@ class Reader:
 
     def _things(self, noun: Noun) -> Referent:
         context = self.context
-        if noun.head == "other" and not (noun.modifiers or noun.colors):
+        if noun.head == "other" and not (noun.modifiers or noun.colors or context.knows(noun)):
             return Referent(NOTHING, text=noun.text)
         if context.several and context.mentioned is not None and _points_back(noun):
             those = Condition("those", (context.mentioned,))

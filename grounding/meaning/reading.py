@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import Protocol
 
 from grounding.language.tree import Phrase
+from grounding.lexicon.kind import is_type
 from grounding.meaning.nouns import Noun
 from grounding.meaning.referents import Condition, Referent
 
@@ -19,12 +20,18 @@ class Context:
         several: whether that were several.
         handled: whether something was handled before.
         sizes: whether there are things of different sizes.
+        types: the names that the world has for types of things.
     """
 
     mentioned: Referent | None = None
     several: bool = False
     handled: bool = False
     sizes: bool = False
+    types: frozenset[str] = frozenset()
+
+    def knows(self, noun: Noun) -> bool:
+        """Whether a noun that the table of words lacks is the name of a type of the world."""
+        return noun.strange and any(is_type(noun.unknown[-1], name) for name in self.types)
 
 
 class Reads(Protocol):

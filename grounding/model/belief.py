@@ -11,16 +11,15 @@ from grounding.language.parser import Parse
 from grounding.language.tree import Phrase
 from grounding.lexicon.degrees import peak
 from grounding.lexicon.parameters import value
-from grounding.lexicon.size import vary
 from grounding.meaning.discourse.following import read_text
 from grounding.meaning.discourse.told import Told
 from grounding.meaning.nouns import is_measuring, read_noun
 from grounding.meaning.reader import Reader
-from grounding.meaning.reading import Context
 from grounding.meaning.referents import OBJECTS, SETS
 from grounding.model.cases import Case, Weights
 from grounding.model.evaluator import EVEN, Evaluator
 from grounding.model.features import BINS, logarithm
+from grounding.model.surroundings import context_in
 from grounding.model.views import views
 from grounding.world import Array
 from grounding.world.scene import SPEAKER, Scene
@@ -158,12 +157,12 @@ def read(
     handled = tuple(index[name] for name in history if name in index)
     known = {} if known is None else known
     evaluators: dict[str, Evaluator] = {}
-    sizes = vary(scene)
+    context = context_in(scene, handled)
     found = []
     for place, parse in enumerate(parses):
         if parse.probability < NEGLIGIBLE * parses[0].probability:
             continue
-        told = read_text(parse.tree, Reader(Context(handled=bool(handled), sizes=sizes)))
+        told = read_text(parse.tree, Reader(context))
         if told.target is None:
             continue
         for view, form in views(parse.tree, scene):
@@ -223,7 +222,7 @@ def _shape(told: Told) -> str:
 
 def _goal(told: Told, evaluator: Evaluator) -> dict[str, float]:
     """The smallest truths of the things that a destination speaks of, definite ones and others."""
-    reader = Reader(Context(told.target, handled=bool(evaluator.history), sizes=vary(evaluator.scene)))
+    reader = Reader(context_in(evaluator.scene, evaluator.history, told.target))
     found: dict[str, float] = {}
     for phrase in told.destination:
         for inner in _outermost(phrase):

@@ -7,14 +7,13 @@ from typing import NamedTuple
 import numpy as np
 
 from grounding.language.tree import Phrase
-from grounding.lexicon.size import vary
 from grounding.meaning.nouns import Noun, read_noun
 from grounding.meaning.reader import Reader
-from grounding.meaning.reading import Context
 from grounding.meaning.referents import Referent
 from grounding.model.belief import Reading
 from grounding.model.cases import Denotation, combined
 from grounding.model.evaluator import Evaluator
+from grounding.model.surroundings import context_in
 from grounding.world import Array
 from grounding.world.scene import Scene
 
@@ -42,7 +41,7 @@ class PhraseReader:
 
     def __init__(self, evaluator: Evaluator, mentioned: Referent | None = None, *, several: bool = False) -> None:
         self.evaluator = evaluator
-        self.context = Context(mentioned, several, bool(evaluator.history), vary(evaluator.scene))
+        self.context = context_in(evaluator.scene, evaluator.history, mentioned, several=several)
 
     @property
     def scene(self) -> Scene:

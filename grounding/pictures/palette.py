@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from types import MappingProxyType
 
+from grounding.lexicon.shades import shade
+
 Rgb = tuple[int, int, int]
 
 PAPER: Rgb = (255, 255, 255)
@@ -35,15 +37,22 @@ OBJECT_COLORS = MappingProxyType(
         "unknown": (176, 170, 160),
     }
 )
-"""Red, green, blue by the name that a world gives; a name that is not here looks like "unknown"."""
+"""Red, green, blue by the name that a world gives; others as `grounding.lexicon.shades` sees them."""
 
 MARKS: tuple[Rgb, ...] = ((0, 130, 54), (22, 86, 200), (176, 84, 0), (118, 56, 184), (0, 120, 128), (150, 32, 96))
 """Colours of markings, dark enough to be read as text on paper; the first is for what is acted on."""
 
 
 def color_of(name: str) -> Rgb:
-    """The colour of objects that a world calls `name`."""
-    return OBJECT_COLORS.get(name.lower(), OBJECT_COLORS["unknown"])
+    """The colour of objects that a world calls `name`, by a name or as a shade such as "#1f77b4"."""
+    known = OBJECT_COLORS.get(name.lower())
+    if known is not None:
+        return known
+    seen = shade(name)
+    if seen is None:
+        return OBJECT_COLORS["unknown"]
+    red, green, blue = (round(255 * value) for value in seen.convert("srgb").fit().coords())
+    return red, green, blue
 
 
 def legible_on(color: Rgb) -> Rgb:

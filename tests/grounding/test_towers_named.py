@@ -57,3 +57,21 @@ def test_what_something_is_put_on(text, below):
 def test_nothing_is_put_on_what_is_pointed():
     result = grounder().ground("put the single green block on the blue pyramid", WORLD)
     assert result.outcome != "grounded" or result.actions[0].destination.reference != ("b2^@0.50",)
+
+
+WUGS = World((
+    make_object("table", "table", "white", (0.6, 0.0, -0.01), size=(0.7, 1.4, 0.02)),
+    make_object("near", "wug", "red", (0.5, 0.2, 0.025)), make_object("far", "wug", "blue", (0.7, -0.3, 0.025)),
+    make_object("block", "block", "red", (0.6, -0.2, 0.025)),
+))  # fmt: skip
+
+
+@pytest.mark.parametrize(("text", "outcome", "name"), [
+    ("pick up the nearest wug", "grounded", "near"), ("take the red wug", "grounded", "near"),
+    ("take the block", "grounded", "block"), ("pick up the wug", "ambiguous", None),
+    ("take the gizmo", "no_referent", None),
+])  # fmt: skip
+def test_a_type_of_the_world_is_a_word(text, outcome, name):
+    result = grounder().ground(text, WUGS)
+    assert result.outcome == outcome
+    assert [a.objects for a in result.actions] == ([] if name is None else [(name,)])

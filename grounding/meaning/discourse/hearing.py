@@ -52,7 +52,8 @@ def hear(clause: Phrase, reader: Reader, told: Told) -> Sentence:
     named = [one_of(read_noun(phrase), told) for phrase in parts.named]
     subjects = [noun for noun in named if noun.head in ("block", "pronoun", "container") or _is_part(noun)]
     nouns = [one_of(read_noun(phrase), told) for phrase in parts.objects]
-    nouns = [noun for noun in nouns if noun.head != "other" or noun.colors or noun.modifiers]
+    nouns = [noun for noun in nouns if noun.head != "other" or noun.colors or noun.modifiers
+             or reader.context.knows(noun)]  # fmt: skip
     kind = kind_of(verbs, clause)
     if kind == "place" and not subjects and not looking and named and _is_corner(named[0]):
         named[0] = replace(named[0], head="block")
