@@ -25,6 +25,8 @@ def _possessed(clause: Phrase) -> Phrase:
     owner, verb = clause.children[0], clause.children[1]
     if not (isinstance(owner, Phrase) and owner.tag == "NP" and isinstance(verb, Phrase) and verb.tag == "VP"):
         return clause
+    if is_existential(owner):
+        return clause  # "there 's three of them"
     if len(verb.children) < 2 or not isinstance(verb.children[0], Word) or verb.children[0].text != "'s":
         return clause
     rest = verb.children[1:]

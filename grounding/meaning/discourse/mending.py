@@ -7,6 +7,7 @@ from grounding.lexicon import words as w
 from grounding.meaning.discourse.verbs import GAINING, LOOKING, LOSING, PARTING
 
 _PARTICLES = frozenset(("'s",))
+_ONLY = frozenset("just only simply".split())
 _SETTING = frozenset("put set lay place".split())
 _DETERMINERS = frozenset("the a an this that these those its one two three".split())
 
@@ -20,6 +21,9 @@ def mended(phrase: Phrase) -> Phrase:
         return Phrase("PP", children)
     if phrase.tag == "VP":
         children = _set_down(children)
+    only = [child for child in children if not (isinstance(child, Word) and child.text in _ONLY)]
+    if phrase.tag == "PP" and len(only) == 1 < len(children) and isinstance(only[0], Phrase) and only[0].tag == "NP":
+        return only[0]  # "just the middle one"
     if phrase.tag == "PP" and isinstance(children[0], Word) and children[0].text in LOOKING:
         return Phrase("VP", children)
     if phrase.tag == "PP":

@@ -90,3 +90,14 @@ def test_a_text_without_a_thing_has_no_target():
 def test_it_alone_is_what_was_handled():
     assert told("take it").target is None
     assert told("take it", handled=True).target.conditions[0].concept == "recalled"
+
+
+@pytest.mark.parametrize("text", [
+    "there's three greens in a line. just the middle one, please", "purple row: take the middle one",
+    "the row nearest you, take the middle one", "three reds on the left. grab the middle one",
+])  # fmt: skip
+def test_a_set_that_is_named_first_is_chosen_from(text):
+    found = conditions(text)
+    assert "middle" in found
+    assert any(line.startswith(("those of", "same as")) for line in found)
+    assert told(text).target.sort == "objects"
