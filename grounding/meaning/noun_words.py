@@ -295,7 +295,7 @@ class NounWords:
         if head == "block" and ((isinstance(number, int) and number > 1) or said.get("universal")):
             said["plural"] = True
         if LAST in self.ordinals and len(self.ordinals) > 1:
-            self.ordinals = [LAST * next(o for o in self.ordinals if o != LAST)]
+            self.ordinals = [LAST * next((o for o in self.ordinals if o != LAST), 1)]
 
     def _named(self) -> str:
         heads = self.heads
