@@ -13,7 +13,6 @@ from grounding.language.parser import Parser
 from grounding.language.tree import Phrase
 from grounding.lexicon import arrangement
 from grounding.lexicon import words as w
-from grounding.lexicon.kind import is_type
 from grounding.meaning.nouns import Noun, read_noun
 from grounding.meaning.reader import Reader
 from grounding.meaning.referents import SETS, Referent
@@ -131,16 +130,15 @@ class _Asked:
         self.noun = read_noun(phrase)
         self.text = phrase.text
         self.evaluator = Evaluator(scene, ROBOT, weights=weights)
-        self.referent: Referent = Reader(context_in(scene)).refer(self.noun)
-        kinds = [item.type for item in scene.layout.things]
-        known = self.noun.strange and any(is_type(self.noun.unknown[-1], name) for name in kinds)
-        self.names_something = self.noun.head in ("block", "container") or known
+        self.context = context_in(scene)
+        self.referent: Referent = Reader(self.context).refer(self.noun)
+        self.names_something = self.noun.head in ("block", "container") or self.context.knows(self.noun)
         self.predicate: Phrase | None = None
         self.describer = Describer(scene, weights)
 
     def truths(self) -> Array:
         """How well every object is one of those that are spoken of, shape (n,), alone and without ranks."""
-        single = Reader(context_in(self.scene)).refer(_singular(self.noun))
+        single = Reader(self.context).refer(_singular(self.noun))
         found = [case.truth for case in self.evaluator.cases(single) if case.masks is None]
         return np.max(found, axis=0) if found else np.zeros(self.scene.n)
 
@@ -198,12 +196,11 @@ def _number(asked: _Asked) -> int:
 
 
 def _exists(asked: _Asked) -> str:
-    count, wanted = _number(asked), asked.noun.number or 1
-    if asked.noun.head == "container" and not asked.noun.plural:
-        count, wanted = _number(asked), 1
+    sets = asked.noun.head == "container"
+    count, wanted = _number(asked), 1 if sets and not asked.noun.plural else asked.noun.number or 1
     if count >= wanted:
         told = f", {_are(count)}" if count > 1 or asked.noun.plural else ""
-        which = [int(i) for i in np.flatnonzero(asked.truths() >= TRUE)] if asked.noun.head != "container" else []
+        which = [] if sets else [int(i) for i in np.flatnonzero(asked.truths() >= TRUE)]
         return f"yes{told}" if len(which) != 1 else f"yes, {asked.name(which[0])}"
     return f"no, {_are(count)}" if count else f"no, there {'are' if asked.noun.plural else 'is'} no {_bare(asked)}"
 
@@ -214,13 +211,13 @@ def _count(asked: _Asked) -> str:
 
 def _which(asked: _Asked) -> str:
     found = asked.meant()
-    return asked.names(found) if found else f"none: nothing here is {asked.text!r}"
+    return asked.names(found) if found else f"none: {_nothing(asked)}"
 
 
 def _where(asked: _Asked) -> str:
     found = asked.meant()
     if not found:
-        return f"nowhere: nothing here is {asked.text!r}"
+        return f"nowhere: {_nothing(asked)}"
     places = []
     for i in found:
         x, y = asked.scene.xy[i]
@@ -231,14 +228,14 @@ def _where(asked: _Asked) -> str:
 def _below(asked: _Asked) -> str:
     found = asked.meant()
     if not found:
-        return f"nothing here is {asked.text!r}"
+        return _nothing(asked)
     return "; ".join(f"{asked.name(i)} is on {asked.stands_on(i)}" for i in found)
 
 
 def _above(asked: _Asked) -> str:
     found = asked.meant()
     if not found:
-        return f"nothing here is {asked.text!r}"
+        return _nothing(asked)
     told = []
     for i in found:
         upper = [tower[tower.index(i) + 1 :] for tower in asked.scene.towers if i in tower]
@@ -251,19 +248,23 @@ def _above(asked: _Asked) -> str:
 def _colour(asked: _Asked) -> str:
     found = asked.meant()
     colours = list(dict.fromkeys(asked.scene.layout.things[i].color for i in found))
-    return listed(colours) if colours else f"nothing here is {asked.text!r}"
+    return listed(colours) if colours else _nothing(asked)
 
 
 def _holds(asked: _Asked) -> str:
     found = asked.meant()
     if not found:
-        return f"nothing here is {asked.text!r}"
+        return _nothing(asked)
     assert asked.predicate is not None
     held = _Asked(asked.scene, asked.predicate, asked.evaluator.weights).truths()
     true = [i for i in found if held[i] >= TRUE]
     if len(true) == len(found):
         return "yes"
     return f"only {asked.names(true)}" if true else "no"
+
+
+def _nothing(asked: _Asked) -> str:
+    return f"nothing here is {asked.text!r}"
 
 
 def _are(count: int) -> str:

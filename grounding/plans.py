@@ -123,14 +123,14 @@ def _parted(text: str, command: Phrase, thing: Phrase, reader: PhraseReader) -> 
     """Everything off a tower but its lowest block, from the top."""
     referent, denoted = reader.noun(read_noun(thing))
     scene = reader.scene
-    towers = [tower for tower in scene.towers for mask, chance in denoted.sets[:1] if set(np.flatnonzero(mask))
-              <= set(tower) and chance > 0] if referent.sort == SETS else []  # fmt: skip
-    if not towers or denoted.truth < RIVAL:
+    best = set(np.flatnonzero(denoted.sets[0][0])) if referent.sort == SETS and denoted.sets else set()
+    tower = next((tower for tower in scene.towers if best <= set(tower)), ()) if best else ()
+    if not tower or denoted.truth < RIVAL:
         return _refused(text, f"nothing that is stacked is {thing.text!r}")
     rivals = [mask for mask, chance in denoted.sets[1:] if chance >= RIVAL and not (mask & denoted.sets[0][0]).any()]
     if rivals:
         return _refused(text, f"several towers are {thing.text!r}; say which")
-    names = tuple(scene.layout.ids[i] for i in towers[0][:0:-1])
+    names = tuple(scene.layout.ids[i] for i in tower[:0:-1])
     return Grounding(text, "grounded", (GroundedAction("clear", names, denoted.truth),))
 
 

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from grounding.language.lexicon import meanings
+from grounding.language.lexicon import is_colour
 from grounding.lexicon.vocabulary import vocabulary
-from grounding.symbols import ObjectColor
 
 _LIKE = {
     "moves": "ascends attaches climbs connects descends drags falls fills floats grows heads hides hops jumps "
@@ -30,17 +29,13 @@ def kindred(word: str) -> str | None:
     """
     if vocabulary().has("kind", word):
         return "blocks" if word.endswith(("s", "dra")) else "block"
-    if word.endswith("s") and _is_colour(word[:-1]) and not _is_colour(word):
+    if word.endswith("s") and is_colour(word[:-1]) and not is_colour(word):
         return "blocks"  # "the greens"
     if vocabulary().has("unit", word):
         return "space" if word in ("foot", "yard") or word.endswith(("re", "er", "h")) else "spaces"
     if vocabulary().has("tint", word):
         return "small"
-    shades = [part for part in word.split("-") if part and (vocabulary().has("tint", part) or _is_colour(part))]
+    shades = [part for part in word.split("-") if part and (vocabulary().has("tint", part) or is_colour(part))]
     if len(shades) == len(word.split("-")):  # "red", "blue-green", "sky-blue"
         return "red"
     return _KNOWN_AS.get(word)
-
-
-def _is_colour(word: str) -> bool:
-    return any(isinstance(symbol, ObjectColor) for symbol in meanings(word))

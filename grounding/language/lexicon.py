@@ -11,6 +11,7 @@ from functools import lru_cache
 
 from grounding.language.number_words import number_of
 from grounding.lexicon.shades import colours
+from grounding.lexicon.vocabulary import vocabulary
 from grounding.symbols import (
     LAST,
     Action,
@@ -68,10 +69,7 @@ _SUPERLATIVES = frozenset(
 )
 _UNIVERSAL = frozenset("all both every each everything whole".split())
 _PLURAL_TAGS = ("NNS", "NNPS")
-_SIZE_ORDER = {"longest": 1, "tallest": 1, "biggest": 1, "largest": 1, "long": 1, "tall": 1, "taller": 1, "longer": 1,
-               "bigger": 1, "larger": 1, "big": 1, "large": 1, "huge": 1, "little": -1, "tiny": -1,
-               "shortest": -1, "smallest": -1, "short": -1, "shorter": -1, "small": -1,
-               "smaller": -1}  # fmt: skip
+_SIZES = {"large": 1, "small": -1}
 _SIDES = re.compile("left|right")
 _ALIKE: dict[type, str] = {Ordinal: "<ordinal>", Cardinal: "<cardinal>", ObjectColor: "<color>"}
 _DIGITS = re.compile(r"(\d{1,40})(st|nd|rd|th)?")
@@ -142,6 +140,11 @@ def alike(word: str) -> str:
     return word
 
 
+def is_colour(word: str) -> bool:
+    """Whether a word names a colour."""
+    return any(isinstance(symbol, ObjectColor) for symbol in meanings(word))
+
+
 def is_superlative(word: str) -> bool:
     """Whether a word ranks: "nearest", "leftmost"."""
     return word in _SUPERLATIVES
@@ -154,7 +157,7 @@ def is_universal(word: str) -> bool:
 
 def size_order(word: str) -> int:
     """1 for words that ask for the larger arrangement ("tallest"), -1 for the smaller, 0 for others."""
-    return _SIZE_ORDER.get(word, 0)
+    return _SIZES.get(vocabulary().value("size", word) or "", 0)
 
 
 def is_plural(tag: str) -> bool:
@@ -164,7 +167,7 @@ def is_plural(tag: str) -> bool:
 
 def known_words() -> frozenset[str]:
     """All words that the closed classes know."""
-    return frozenset(_MEANINGS) | _SUPERLATIVES | _UNIVERSAL | frozenset(_SIZE_ORDER)
+    return frozenset(_MEANINGS) | _SUPERLATIVES | _UNIVERSAL | vocabulary().words("size")
 
 
 def known_colors() -> tuple[str, ...]:

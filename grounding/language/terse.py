@@ -4,10 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
-from grounding.language.lexicon import meanings
+from grounding.language.lexicon import is_colour
 from grounding.language.tree import Phrase, Word
 from grounding.lexicon.words import is_block
-from grounding.symbols import ObjectColor
 
 _ARTICLES = frozenset("the a an".split())
 _EVERY = 4
@@ -56,7 +55,7 @@ def _shortened(phrase: Phrase, *, bare: bool) -> Phrase:
 def _is_coloured_thing(words: list[Word]) -> bool:
     """Whether a noun phrase ends in a colour and a word for a thing."""
     colour, noun = words[-2], words[-1]
-    return noun.tag == "NN" and is_block(noun.text) and any(isinstance(s, ObjectColor) for s in meanings(colour.text))
+    return noun.tag == "NN" and is_block(noun.text) and is_colour(colour.text)
 
 
 def _renumbered(phrase: Phrase, numbers: Iterator[int]) -> Phrase:

@@ -179,11 +179,6 @@ def members(word: str) -> int | None:
     return None if value is None else {"two": 2, "three": 3}[value]
 
 
-def size(word: str) -> int:
-    """1 for words that ask for the larger arrangement ("tallest"), -1 for the smaller, 0 for others."""
-    return {"large": 1, "small": -1}.get(vocabulary().value("size", word) or "", 0)
-
-
 def is_table(word: str) -> bool:
     """Whether a noun means the table as a whole."""
     return vocabulary().has("surface", word)

@@ -188,7 +188,7 @@ def conjoined_cases(evaluator: Evaluates, referent: Referent) -> list[Case]:
                 crossing = referent.crossing and number > 0
                 together = mask & other if crossing else mask | other
                 if together.any() and (crossing or not (mask & other).any()):
-                    apart = value("arrangement.apart") if scene.towers and not _one_place(scene, together) else 1.0
+                    apart = value("arrangement.apart") if scene.towers and not scene.in_one_tower(together) else 1.0
                     joined.append((together, chance * likely * apart))
         found = sorted(joined, key=lambda item: -item[1])[: 2 * TRIED]
     if not found:
@@ -197,11 +197,6 @@ def conjoined_cases(evaluator: Evaluates, referent: Referent) -> list[Case]:
     case = Case(len(found), np.ones(len(found)), np.array([mask for mask, _ in found]))
     case.add("set", np.log(chances))
     return [case]
-
-
-def _one_place(scene: Scene, mask: np.ndarray) -> bool:
-    """Whether objects stand on each other: "the red and the blue block" are a tower where there are towers."""
-    return any(set(np.flatnonzero(mask)) <= set(tower) for tower in scene.towers)
 
 
 def _likeliest(evaluator: Evaluates, part: Referent) -> list[tuple[np.ndarray, float]]:

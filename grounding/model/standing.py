@@ -76,17 +76,13 @@ def _within(evaluator: Evaluates, mask: np.ndarray, spot: place.Spot) -> Array:
     scene, pool, blur = evaluator.scene, mask.astype(float), rank.blur(evaluator.scene)
     if scene.stacked[mask].all() and spot.upright:
         return pool * rank.truth(pool, spot.upright * scene.z, 1, blur)
-    if spot.middle and not spot.directions and mask.sum() > 1 and scene.stacked[mask].all() and _is_tower(scene, mask):
+    if spot.middle and not spot.directions and mask.sum() > 1 and scene.in_one_tower(mask):
         return pool * rank.truth(pool, -np.abs(scene.z - scene.z[mask].mean()), 1, blur)
     if spot.outer:
         return pool * rank.truth(pool, np.abs(rank.along(scene, pool)), 1, blur)
     if spot.middle and not spot.directions:
         return pool * rank.middle(scene, pool, chosen=True)
     return pool * rank.truth(pool, place.closeness(scene, spot), 1, blur)
-
-
-def _is_tower(scene: Scene, mask: np.ndarray) -> bool:
-    return any(set(np.flatnonzero(mask)) <= set(tower) for tower in scene.towers)
 
 
 def _centre(evaluator: Evaluates, condition: Condition, base: Array) -> Held:

@@ -161,6 +161,11 @@ class Scene:
             mask[[i for i in tower if self.z[i] < top - 0.3 * self.edge]] = False
         return mask
 
+    def in_one_tower(self, mask: np.ndarray) -> bool:
+        """Whether objects, boolean (n,), all stand in one stack."""
+        members = set(np.flatnonzero(mask))
+        return any(members <= set(tower) for tower in self.towers)
+
     def supports(self, below: int, above: int) -> bool:
         """Whether one object stands somewhere below another in a stack."""
         return any(below in tower and above in tower and self.z[below] < self.z[above] for tower in self.towers)

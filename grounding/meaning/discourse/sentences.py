@@ -212,11 +212,12 @@ def _move_subject(sentence: Sentence, reader: Reader, told: Told) -> None:
     told.destination += [parts.said, *parts.objects, *parts.rest]
 
 
-def _has_topic(sentence: Sentence) -> bool:
-    """Whether a command says first of which set it chooses: "the row nearest you, take its middle block"."""
+def _take_topic(sentence: Sentence, reader: Reader, told: Told) -> None:
+    """A command may say first of which set it chooses: "the row nearest you, take its middle block"."""
     first = next((word for word in sentence.parts.words if is_verbal(word.text)), None)
     sets = bool(sentence.subjects) and (sentence.subjects[0].head == "container" or sentence.subjects[0].plural)
-    return sets and first is not None and first.tag == "VB"
+    if sets and first is not None and first.tag == "VB" and told.target is None:
+        mention(sentence.subjects[0], reader, told)
 
 
 def _picks(sentence: Sentence, reader: Reader, told: Told) -> bool:
@@ -224,8 +225,7 @@ def _picks(sentence: Sentence, reader: Reader, told: Told) -> bool:
     if sentence.kind not in ("pick", "clear") or not sentence.nouns:
         return False
     parts = sentence.parts
-    if _has_topic(sentence) and told.target is None:
-        mention(sentence.subjects[0], reader, told)
+    _take_topic(sentence, reader, told)
     told.kind = sentence.kind
     take(with_further(sentence.nouns[0], *parts.before, *parts.rest), reader, told)
     for further in parts.objects[1:]:
@@ -238,8 +238,7 @@ def _places(sentence: Sentence, reader: Reader, told: Told) -> bool:
     if sentence.kind != "place" or not sentence.nouns:
         return False
     parts = sentence.parts
-    if _has_topic(sentence) and told.target is None:
-        mention(sentence.subjects[0], reader, told)
+    _take_topic(sentence, reader, told)
     told.kind = sentence.kind
     noun, rest = shared_out(with_further(sentence.nouns[0], *parts.before), list(parts.rest), told)
     noun, courses = peeled(noun)
