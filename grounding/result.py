@@ -18,11 +18,13 @@ class Destination:
         position: where the first object's centre is to be, x, y, z in the world's frame in [m].
         relation: the spatial reference that words gave ("top" is on it), or None.
         reference: ids of the objects that the relation is to.
+        region: other places where the words hold nearly as well, the best first; for whoever cannot serve `position`.
     """
 
     position: tuple[float, float, float]
     relation: str | None = None
     reference: tuple[str, ...] = ()
+    region: tuple[tuple[float, float, float], ...] = field(default=(), repr=False, compare=False)
 
     def to_json(self) -> dict[str, Any]:
         """Plain values; relation and reference only where words gave them."""

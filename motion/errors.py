@@ -105,6 +105,18 @@ class PathNotFound(MotionError):
     """Start and goal are both free, but no path between them was found within the bound of the search."""
 
 
+class OutOfTime(MotionError):
+    """No plan was found within the time that was allowed.
+
+    Attributes:
+        budget: that time, in seconds of processor time.
+    """
+
+    def __init__(self, message: str, budget: float) -> None:
+        self.budget = budget
+        super().__init__(message)
+
+
 class LimitViolation(MotionError):
     """A trajectory exceeds a limit of a joint.
 

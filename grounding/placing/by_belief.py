@@ -124,7 +124,8 @@ def _stated(spot: FoundSpot, source: int, scene: Scene) -> Destination:
     else:
         height = _table_top(scene, spot.point) + half
     x, y = (float(value) for value in spot.point)
-    return Destination((x, y, height), spot.relation if names else None, names)
+    region = tuple((float(a), float(b), _table_top(scene, np.array([a, b])) + half) for a, b in spot.region)
+    return Destination((x, y, height), spot.relation if names else None, names, region)
 
 
 def _table_top(scene: Scene, point: Array) -> float:

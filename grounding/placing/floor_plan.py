@@ -79,6 +79,10 @@ class FloorPlan:
         """A point in the world's frame [m]."""
         return np.asarray(point @ self.axes * self.edge)
 
+    def local(self, point: Array) -> Array:
+        """A point of the world's frame [m] along "right" and "back" [edges]."""
+        return np.asarray(point @ self.axes.T / self.edge)
+
 
 _plans: WeakKeyDictionary[Scene, dict[tuple[str, int], FloorPlan]] = WeakKeyDictionary()
 
@@ -108,17 +112,28 @@ def find_places(plan: FloorPlan, scene: Scene, source: int, exact: Array) -> Pla
     """
     others = np.delete(np.arange(scene.n), source)
     free = (plan.prior > 0) & (plan.around != source) & ~plan.taken[others].any(axis=0)
-    near = _inside(exact, *plan.boxes) & ~_overlaps(exact, plan.points[others], plan.reach[others]).any(
-        axis=0
-    )
+    near = lying_at(plan, source, exact)
     carrying = bare(scene)
     tops = np.array([i for i in others if carrying[i] and scene.apart[i, source] > 0.5 * scene.edge], dtype=int)
-    lying = int(free.sum() + near.sum())
     return Places(
-        np.concatenate([plan.spots[free], exact[near], plan.points[tops]]),
-        np.concatenate([np.full(lying, -1), tops]),
-        np.concatenate([plan.prior[free], np.full(int(near.sum()), _EXACT), np.full(len(tops), _TOP)]),
+        np.concatenate([plan.spots[free], near.points, plan.points[tops]]),
+        np.concatenate([np.full(int(free.sum()), -1), near.support, tops]),
+        np.concatenate([plan.prior[free], near.prior, np.full(len(tops), _TOP)]),
     )
+
+
+def lying_at(plan: FloorPlan, source: int, points: Array) -> Places:
+    """Those of `points`, shape (m, 2), that are free and on a table.
+
+    Args:
+        plan: the floor plan.
+        source: index of what is moved; it is in nobody's way.
+        points: along "right" and "back" [edges].
+    """
+    others = np.delete(np.arange(len(plan.points)), source)
+    taken = _overlaps(points, plan.points[others], plan.reach[others]).any(axis=0)
+    free = points[_inside(points, *plan.boxes) & ~taken]
+    return Places(free, np.full(len(free), -1), np.full(len(free), _EXACT))
 
 
 def _draw(scene: Scene, view: str, main: int) -> FloorPlan:

@@ -27,6 +27,7 @@ OTHERWISE = 0.1  # how often a tower comes to be lower or higher than is said
 CLOSE = 0.9  # nothing that comes nearer to something goes beyond this distance from it [edges]
 WITHIN = 0.4  # how far from the middle of a table that is named, of its half extents
 SET_DOWN = 1.0  # within how many edges something is set down where only the table is named
+CROWDED = 0.15  # how well something still is that way of a reference whose own lane is taken
 BESIDE = {"": 1.3, "slightly": 0.8, "far": 4.0}  # how far from a reference [edges]
 
 
@@ -132,7 +133,8 @@ def offset_from(shift: Shift, anchors: Anchors, points: Array, strict: bool) -> 
             if shift.metric.any():
                 total *= gaussian(centred, EXACT)
                 continue
-            total *= gaussian(off, 0.2 if strict else 0.4) * gaussian(centred, 0.8 + (high - low))
+            aligned = gaussian(off, 0.2 if strict else 0.4) * gaussian(centred, 0.8 + (high - low))
+            total *= aligned if strict else np.maximum(aligned, CROWDED * np.exp(-off))
     return total
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -18,14 +18,14 @@ from grounding.model.standing import meant_tables
 from grounding.placing import maps
 from grounding.placing.completing import completing
 from grounding.placing.finger_room import leave_room
-from grounding.placing.floor_plan import FloorPlan, Places, find_places, lay_out
+from grounding.placing.floor_plan import FloorPlan, Places, find_places, lay_out, lying_at
 from grounding.placing.grounded_clues import GroundedClue, agreement, exact_points, ground_clue, truth_of
 from grounding.placing.maps import Shift
 from grounding.world import Array
 
 FLOOR = 0.02  # a clue that does not hold leaves so much: words and eyes err
 VAGUE = 0.1  # shapes are in the eye of who looks
-UNSAID_TOP = 0.02  # how likely something goes on top of something though nothing says so
+UNSAID_TOP = 0.002  # how likely something goes on top of something though nothing says so
 NEAR = 0.6  # places so close [edges] are as good as one another
 UNPARTED = 0.7  # how much a place counts that was found in a text whose parts are not known
 HELD = 0.01  # where no clue agrees so much with any place, there is no room where it would
@@ -34,6 +34,9 @@ MEASURED = 0.01  # the same of what was measured
 STAYING = 0.3  # what goes less far [edges] is not moved
 NEARER = 75.0  # of places that the words leave open the nearer ones are preferred, fading over so many edges
 _KEPT = 60  # of the best places are compared
+REGION = 0.25  # what agrees with the words so much, beside the place that is chosen, is meant as well
+_AROUND, _STEP = 2.0, 0.4  # how far about that place it is looked for, and how densely [edges]
+_POINTS = 64  # of them are kept, at most
 
 
 @dataclass(frozen=True, eq=False)
@@ -46,6 +49,7 @@ class FoundSpot:
         reference: indices of the objects.
         on: whether it goes on top of the reference.
         certainty: the share of belief within a block of it, in [0, 1].
+        region: other places on the table where the words hold nearly as well, the best first, shape (k, 2) [m].
     """
 
     point: Array
@@ -53,6 +57,7 @@ class FoundSpot:
     reference: tuple[int, ...]
     on: bool
     certainty: float
+    region: Array = field(default_factory=lambda: np.zeros((0, 2)))
 
 
 def find_spot(
@@ -142,11 +147,9 @@ def _settle(clues: list[Clue], source: int, reader: PhraseReader) -> FoundSpot |
     belief = belief * (away > (MEASURED if measured else STAYING)) * np.exp(-away / NEARER)
     held, true = [], []
     for g in grounded:
-        single, truth = agreement(g, places, source, plan, reader), truth_of(g, places, plan, reader)
-        if truth is not None:
-            single = single * truth
-            if g.clue.relation == "between" and g.anchors is not None:
-                true.append(truth @ g.anchors.share)
+        single, truth = _held(g, places, source, plan, reader)
+        if truth is not None and g.clue.relation == "between" and g.anchors is not None:
+            true.append(truth @ g.anchors.share)
         held.append(single)
         floor = VAGUE if g.clue.relation == "make" else FLOOR
         belief = belief * (
@@ -154,9 +157,60 @@ def _settle(clues: list[Clue], source: int, reader: PhraseReader) -> FoundSpot |
         )
     spot = _choose(places, belief, grounded, held, true, plan, measured=measured)
     exact = measured or plan.board is not None or any(clue.relation == "touch" or clue.strict for clue in clues)
-    if spot is None or spot.on or exact:
+    if spot is None or spot.on:
         return spot
-    return replace(spot, point=leave_room(spot.point, source, scene))
+    if plan.board is None:
+        spot = replace(spot, region=_region(spot, places, grounded, held, source, plan, reader))
+    return spot if exact else replace(spot, point=leave_room(spot.point, source, scene))
+
+
+def _region(
+    spot: FoundSpot, places: Places, grounded: Sequence[GroundedClue], held: Sequence[Array], source: int,
+    plan: FloorPlan, reader: PhraseReader,
+) -> Array:  # fmt: skip
+    """Places on the table where all clues hold nearly as well as at a spot, the best first, shape (k, 2) [m].
+
+    They are looked for among all places and, more densely, around the spot.
+    """
+    at = plan.local(spot.point)
+    near = lying_at(plan, source, at + _OFFSETS)
+    closer = [_held(g, near, source, plan, reader)[0] for g in grounded]
+    agreed = np.concatenate([_together(grounded, held), _together(grounded, closer)])
+    points = np.concatenate([places.points, near.points])
+    lying = np.concatenate([places.support, near.support]) < 0
+    away = np.linalg.norm(points - at, axis=1)
+    best = float(agreed[lying & (away < NEAR)].max(initial=0.0))
+    inside = np.flatnonzero(lying & (agreed >= REGION * best) & (agreed > HELD))
+    left = points[inside[np.lexsort((np.round(away[inside], 6), -np.round(agreed[inside], 3)))]]
+    chosen: list[Array] = []
+    while len(left) and len(chosen) < _POINTS:
+        chosen.append(left[0])
+        left = left[np.abs(left - left[0]).max(axis=1) > _STEP - 1e-6]
+    return plan.world(np.array(chosen).reshape(-1, 2))
+
+
+def _offsets() -> Array:
+    line = np.arange(-_AROUND, _AROUND + 1e-9, _STEP)
+    return np.asarray(np.stack(np.meshgrid(line, line, indexing="ij"), axis=-1).reshape(-1, 2))
+
+
+_OFFSETS = _offsets()
+
+
+def _held(
+    g: GroundedClue, places: Places, source: int, plan: FloorPlan, reader: PhraseReader
+) -> tuple[Array, Array | None]:
+    """How well a clue holds at places, for each of its hypotheses, and what the lexicon says of that, shape (p, h)."""
+    single, truth = agreement(g, places, source, plan, reader), truth_of(g, places, plan, reader)
+    return single if truth is None else single * truth, truth
+
+
+def _together(grounded: Sequence[GroundedClue], held: Sequence[Array]) -> Array:
+    """How well all clues hold at places, shape (p,)."""
+    total = np.ones(len(held[0]))
+    for g, single in zip(grounded, held, strict=True):
+        total *= single.max(axis=1) if g.anchors is None else single @ g.anchors.share
+    return total
 
 
 def _table_of(clues: list[Clue], source: int, reader: PhraseReader) -> int:

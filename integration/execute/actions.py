@@ -12,7 +12,7 @@ from integration.errors import NoPlan
 from integration.execute import checks
 from integration.execute.checks import Check
 from integration.execute.laying import Laying
-from integration.execute.recovery import free_hands, keep_trying, put_back, remove_leaning
+from integration.execute.recovery import free_hands, keep_trying, put_back, remove_leaning, spread
 from integration.execute.setting_aside import beside, out_of_the_way, region_of
 from integration.execute.stage import Stage
 from integration.execute.uncovering import uncover
@@ -162,16 +162,17 @@ def _place(stage: Stage, action: GroundedAction, arm: str) -> tuple[Check, ...]:
         message = f"where {', '.join(action.objects)} should be put was not understood"
         raise NoPlan(message, action.objects, "destination")
     place = np.asarray(action.destination.position, dtype=float)
+    places = np.array([action.destination.position, *action.destination.region], dtype=float)
     on_top = action.destination.relation == "top"
 
     def spots(number: int) -> np.ndarray:
         name = action.objects[number]
         if number == 0:
-            return place[None]
+            return places
         if on_top:
             last = stage.scene.box(action.objects[number - 1])
             return np.array([[*last.position[:2], last.top + stage.scene.box(name).half_extents[2]]])
-        return beside(stage.scene, name, place)
+        return spread(beside(stage.scene, name, place))
 
     laying = Laying(stage, "place", arm)
     for number, name in enumerate(action.objects):
@@ -205,7 +206,7 @@ def _one_of(laying: Laying, stage: Stage, left: Sequence[str], region: np.ndarra
     refusal: NoPlan | None = None
     for name in left:
         try:
-            done = laying.put(name, lambda name=name: out_of_the_way(stage.scene, name, region), [region])  # type: ignore[misc]
+            done = laying.put(name, lambda name=name: spread(out_of_the_way(stage.scene, name, region)), [region])  # type: ignore[misc]
         except NoPlan as error:
             refusal = refusal or error
         else:

@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 from integration.errors import NoPlan
 from integration.execute import checks
 from integration.execute.checks import Check
-from integration.execute.recovery import keep_trying, put_back, remove_leaning, spread
+from integration.execute.recovery import keep_trying, put_back, remove_leaning
 from integration.execute.stage import Stage
 from integration.execute.uncovering import uncover
 from motion import Plan, RobotState, Scene
@@ -94,27 +94,23 @@ class Laying:
         return found
 
     def _put(self, name: str, spots: Spots, arm: str) -> None:
-        """Sets an object down at the first of its spots that a plan leads to."""
-        spot, plans = self._plan(name, spots, arm, self._stage.scene, self._stage.simulator.state())
-        self.goals[name] = spot
+        """Sets an object down at one of its spots, rather one of the first."""
+        plans = self._plan(name, spots, arm, self._stage.scene, self._stage.simulator.state())
+        assert plans[-1].goal is not None
+        self.goals[name] = plans[-1].goal.position
         for plan in plans:
             self._stage.execute(plan, self._action, name)
 
-    def _plan(
-        self, name: str, spots: Spots, arm: str, scene: Scene, start: RobotState
-    ) -> tuple[np.ndarray, tuple[Plan, ...]]:
-        """The first of an object's spots that a plan leads to, and the plans.
+    def _plan(self, name: str, spots: Spots, arm: str, scene: Scene, start: RobotState) -> tuple[Plan, ...]:
+        """Plans that lead to one of an object's spots.
 
         Raises:
-            NoPlan: there is none.
+            NoPlan: there are none.
         """
-        refusal: NoPlan | None = None
-        for spot in spread(spots()):
-            try:
-                return spot, self._stage.plan_transport(name, spot, arm, scene=scene, start=start)
-            except NoPlan as error:
-                refusal = refusal or error
-        raise refusal or NoPlan(f"there is no free room on the table to put {name}", (name,), "room")
+        places = spots()
+        if not len(places):
+            raise NoPlan(f"there is no free room on the table to put {name}", (name,), "room")
+        return self._stage.plan_transport(name, places, arm, scene=scene, start=start)
 
     def _measured(self, objects: Sequence[str], what: str) -> tuple[Check, ...]:
         stage = self._stage

@@ -116,16 +116,16 @@ def free_hands(stage: Stage, wanted: Collection[str]) -> bool:
 
 
 def put_at_first(stage: Stage, action: str, name: str, spots: np.ndarray, arm: str) -> bool:
-    """Sets an object down at the first of `spots`, (n, 3) in [m], that a plan leads to; False where none does."""
-    for spot in spread(spots):
-        try:
-            plans = stage.plan_transport(name, spot, arm)
-        except NoPlan:
-            continue
-        for plan in plans:
-            stage.execute(plan, action, name)
-        return True
-    return False
+    """Sets an object down at one of `spots`, (n, 3) in [m], rather one of the first; False where no plan does."""
+    if not len(spots):
+        return False
+    try:
+        plans = stage.plan_transport(name, spread(spots), arm)
+    except NoPlan:
+        return False
+    for plan in plans:
+        stage.execute(plan, action, name)
+    return True
 
 
 def remove_leaning(stage: Stage, name: str) -> None:
@@ -188,7 +188,7 @@ def put_back(stage: Stage, before: Scene, handled: Collection[str]) -> bool:
     return True
 
 
-def spread(spots: np.ndarray) -> list[np.ndarray]:
+def spread(spots: np.ndarray) -> np.ndarray:
     """The first of `spots`, (n, 3), that keep apart, so that tries are not wasted on neighbours of a bad one."""
     chosen: list[np.ndarray] = []
     for spot in spots:
@@ -196,4 +196,4 @@ def spread(spots: np.ndarray) -> list[np.ndarray]:
             break
         if all(np.linalg.norm(spot - other) >= _APART for other in chosen):
             chosen.append(spot)
-    return chosen
+    return np.array(chosen).reshape(-1, 3)

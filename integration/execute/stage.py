@@ -153,7 +153,13 @@ class Stage:
         return plan
 
     def plan_transport(self, name: str, position: np.ndarray, arm: str, **options: Any) -> tuple[Plan, ...]:
-        """Plans to set an object down at `position`, (3,) of its centre in [m]; two where the hands must pass it on.
+        """Plans to set an object down, two where the hands must pass it on.
+
+        Args:
+            name: the object.
+            position: of its centre, (3,) in [m], or (n, 3) of which one will do, the best first.
+            arm: "left", "right" or "auto".
+            options: of motion's planner.
 
         Raises:
             NoPlan: with motion's reason.

@@ -166,7 +166,7 @@ class Approaches:
         lowering = Rules(hand_clearance=self._clearance, resting=below, close=below)
         leaving = Rules(hand_clearance=self._clearance, touching=frozenset({goal.name}), close=below)
         placed = self._scene.moved({goal.name: goal.pose})
-        opening = min(recipe().gripper.opened, width + 2 * _RELEASE_ROOM)
+        opening = release_opening(width)
         empty: CollisionChecker | None = None
         failures = _Failures(self._arm)
         for joints in failures.free(self._postures(release, None), full, lowering):
@@ -192,6 +192,11 @@ class Approaches:
 
     def _postures(self, tool: Pose, seed: Array | None) -> Iterator[Array]:
         return islice(solutions(self._arm, tool, seed=seed, rng=self._rng, restarts=self._starts), POSTURES)
+
+
+def release_opening(width: float) -> float:
+    """How far the gripper opens to let a box of this width go, metres."""
+    return min(recipe().gripper.opened, width + 2 * _RELEASE_ROOM)
 
 
 def line(

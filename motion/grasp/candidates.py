@@ -108,10 +108,10 @@ def grasp_candidates(scene: Scene, name: str, arms: tuple[str, ...] = ARMS) -> l
             name,
         )
     grasps = [grasp for axis in fitting for grasp in _about_axis(box, axis, arms)]
-    return sorted(_among(grasps, box, _neighbours(scene, box)), key=lambda grasp: grasp.cost)
+    return sorted(_among(grasps, box, neighbours(scene, box)), key=lambda grasp: grasp.cost)
 
 
-def _neighbours(scene: Scene, box: Box) -> list[Box]:
+def neighbours(scene: Scene, box: Box) -> list[Box]:
     """The boxes near enough to meet the fingers."""
     near = []
     for other in scene.boxes:
@@ -121,27 +121,27 @@ def _neighbours(scene: Scene, box: Box) -> list[Box]:
     return near
 
 
-def _among(grasps: list[Grasp], box: Box, neighbours: list[Box]) -> list[Grasp]:
+def _among(grasps: list[Grasp], box: Box, near: list[Box]) -> list[Grasp]:
     """The grasps whose fingers, opened less or moved along the box if need be, overlap no neighbour.
 
     Raises:
         GraspUnavailable: there is none.
     """
-    if not neighbours or not grasps:
+    if not near or not grasps:
         return grasps
     free: list[Grasp] = []
     conflicts: Counter[Pair] = Counter()
     for arm in sorted({grasp.arm for grasp in grasps}):
         wide = [grasp for grasp in grasps if grasp.arm == arm]
-        met = _obstacles(arm, wide, neighbours)
+        met = _obstacles(arm, wide, near)
         free += [grasp for grasp, pair in zip(wide, met, strict=True) if pair is None]
         narrow = [grasp.narrowed() for grasp, pair in zip(wide, met, strict=True) if pair is not None]
-        still = _obstacles(arm, narrow, neighbours)
+        still = _obstacles(arm, narrow, near)
         free += [grasp for grasp, pair in zip(narrow, still, strict=True) if pair is None]
         conflicts.update(pair for pair in still if pair is not None)
         blocked = [grasp for grasp, pair in zip(narrow, still, strict=True) if pair is not None]
         aside = [beside for grasp in blocked for beside in _beside(box, grasp)]
-        free += [grasp for grasp, pair in zip(aside, _obstacles(arm, aside, neighbours), strict=True) if pair is None]
+        free += [grasp for grasp, pair in zip(aside, _obstacles(arm, aside, near), strict=True) if pair is None]
     if not free:
         bodies = conflicts.most_common(1)[0][0]
         raise GraspUnavailable(

@@ -49,6 +49,25 @@ def checked_lift(lift: float) -> float:
     return float(lift)
 
 
+def positions(name: str, position: ArrayLike) -> Array:
+    """One place or several as (n, 3), metres.
+
+    Raises:
+        InvalidGoal: they are neither (3,) nor (n, 3) numbers, or there is none.
+    """
+    try:
+        points = np.asarray(position, dtype=np.float64)
+    except (TypeError, ValueError):
+        points = np.empty(0)
+    if points.shape == (3,):
+        return points[None]
+    if points.ndim == 2 and points.shape[1] == 3 and len(points):
+        return points
+    raise InvalidGoal(
+        f"the destination of {name!r} must be three finite numbers, or rows of three, not {_told(position)}", name
+    )
+
+
 def turned(box: Box, position: Array, turn: float) -> Box:
     """The box at `position`, standing on a face, turned by `turn` radians about the vertical."""
     return box.at(Pose.of(about((0, 0, 1), turn) @ standing(box).axes, position))

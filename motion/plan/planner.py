@@ -9,13 +9,15 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import ArrayLike
 
-from motion.errors import InvalidGoal, MotionError
+from motion.errors import InvalidGoal
 from motion.grasp.candidates import Grasp, grasp_candidates
 from motion.grasp.targets import checked_arms, checked_target
 from motion.plan.attempts import BRIEF, THOROUGH, Attempt, Effort
+from motion.plan.budget import BUDGET, Budget
 from motion.plan.failures import Failures
-from motion.plan.goals import checked_destination, checked_lift, checked_start, heading
+from motion.plan.goals import checked_destination, checked_lift, checked_start, heading, positions
 from motion.plan.plans import Plan
+from motion.plan.room import Room
 from motion.plan.ways import Goals, Ways, first_plan
 from motion.robot.recipe import recipe
 from motion.robot.state import ARMS, RobotState
@@ -37,6 +39,7 @@ def plan_pick(
     start: RobotState | None = None,
     rng: np.random.Generator | None = None,
     lift: float = LIFT,
+    budget: float = BUDGET,
 ) -> Plan:
     """A verified plan that takes a box and holds it above where it stood.
 
@@ -47,6 +50,7 @@ def plan_pick(
         start: where the robot is; home by default.
         rng: source of all chance; a fixed seed by default. The same seed gives the same plan.
         lift: how far up, metres.
+        budget: processor time that planning may take, seconds.
 
     Raises:
         UnknownBody: there is no such box.
@@ -54,15 +58,16 @@ def plan_pick(
         UnreachableTarget: no hand gets there; `reason` says why.
         GraspUnavailable: every grasp is obstructed by what stands around the box.
         PlanInCollision, PathNotFound, LimitViolation: grasps exist, but no free way to them was found.
+        OutOfTime: the budget was used up.
     """
     start = RobotState.home() if start is None else checked_start(start)
     rng = np.random.default_rng(0) if rng is None else rng
     checked_target(scene, target, start)
     arms, lift = checked_arms(arm, start, target), checked_lift(lift)
-    failures = Failures(target)
+    failures, time = Failures(target), Budget(budget, target)
     ways = Ways(scene, start, target, rng, lift, failures)
     for effort, grasps in _rounds(scene, target, arms, failures):
-        plan = first_plan(ways.picks(grasp, effort) for grasp in grasps)
+        plan = first_plan((ways.picks(grasp, effort) for grasp in grasps), time)
         if plan is not None:
             return plan
     raise failures.summary()
@@ -77,18 +82,23 @@ def plan_place(
     arm: str = "auto",
     start: RobotState | None = None,
     rng: np.random.Generator | None = None,
+    budget: float = BUDGET,
 ) -> Plan:
     """A verified plan that takes a box, sets it down elsewhere and goes home. A box already in a hand is only set down.
+
+    Of several places the first one is preferred; another is taken where no hand can serve it, rather one of the first.
 
     Args:
         scene: where everything is.
         target: name of the box.
-        position: (3,) where its centre shall be, resting on the table or on another box, metres.
+        position: (3,) where its centre shall be, resting on the table or on another box, metres; or (n, 3) places of
+            which one will do, the best first.
         yaw: direction of its first level edge, radians (see `goals.heading`); by default the box keeps its heading if
             it can.
         arm: "left", "right", or "auto".
         start: where the robot is; home by default.
         rng: source of all chance; a fixed seed by default.
+        budget: processor time that planning may take, seconds.
 
     Raises:
         InvalidGoal: as for `plan_pick`, or the destination is not finite, occupied, unsupported or off the table.
@@ -98,20 +108,24 @@ def plan_place(
     rng = np.random.default_rng(0) if rng is None else rng
     arms = checked_arms(arm, start, target)
     box = checked_target(scene, target, start)
-    groups = _goals(scene, box, position, yaw)
-    failures = Failures(target)
+    places = _places(scene, box, position, yaw)
+    failures, time = Failures(target), Budget(budget, target)
     ways = Ways(scene, start, target, rng, LIFT, failures)
     if target in start.held.values():
-        for tight, goals in itertools.product((False, True), groups):
-            plan = first_plan([ways.lays(arms[0], Effort(THOROUGH, tight, _MORE_STARTS), goals)])
-            if plan is not None:
-                return plan
+        for groups, tight in itertools.product(places, (False, True)):
+            for goals in groups:
+                plan = first_plan([ways.lays(arms[0], Effort(THOROUGH, tight, _MORE_STARTS), goals)], time)
+                if plan is not None:
+                    return plan
         raise failures.summary()
     for effort, grasps in _rounds(scene, target, arms, failures):
-        for goals in groups:
-            plan = first_plan(ways.places(grasp, effort, goals) for grasp in grasps)
-            if plan is not None:
-                return plan
+        room = Room(scene, box, grasps, failures)
+        for groups in places:
+            for goals in groups:
+                free = room.releases(goals)
+                plan = first_plan((ways.places(grasp, effort, there) for grasp, there in free), time)
+                if plan is not None:
+                    return plan
     raise failures.summary()
 
 
@@ -157,14 +171,36 @@ def _rounds(
     yield Effort(THOROUGH, tight=True, starts=_MORE_STARTS), failures.without_path()
 
 
+def _places(scene: Scene, box: Box, position: ArrayLike, yaw: float | None) -> list[tuple[Goals, ...]]:
+    """The places that are free, each as the box there in every turn to be tried.
+
+    Raises:
+        InvalidGoal: none is.
+    """
+    found: list[tuple[Goals, ...]] = []
+    first: InvalidGoal | None = None
+    for place in positions(box.name, position):
+        try:
+            found.append(_goals(scene, box, place, yaw))
+        except InvalidGoal as error:
+            first = first or error
+    if not found:
+        assert first is not None
+        raise first
+    return found
+
+
 def _goals(scene: Scene, box: Box, position: ArrayLike, yaw: float | None) -> tuple[Goals, ...]:
     """The box at its destination in every turn to be tried, best first, each with what it rests on.
 
     They come in groups: those of one group look the same from above.
+
+    Raises:
+        InvalidGoal: it cannot be there.
     """
     alike = np.array(_QUARTERS) if _square(box) else np.array([0.0, np.pi])
     groups: list[list[tuple[Box, str]]] = []
-    first: MotionError | None = None
+    first: InvalidGoal | None = None
     for more in (0.0,) if yaw is not None else _FREE_TURNS if not _square(box) else _FREE_TURNS[:2]:
         wanted = more if yaw is None else yaw - heading(box)
         turns = (wanted + alike + np.pi) % (2 * np.pi) - np.pi
@@ -172,7 +208,7 @@ def _goals(scene: Scene, box: Box, position: ArrayLike, yaw: float | None) -> tu
         for turn in turns[np.argsort(np.abs(turns), kind="stable")]:
             try:
                 group.append(checked_destination(scene, box.name, position, float(turn)))
-            except MotionError as error:
+            except InvalidGoal as error:
                 first = first or error
         if group:
             groups.append(group)

@@ -16,6 +16,8 @@ from motion.errors import (
     PlanInCollision,
     UnreachableTarget,
 )
+from motion.plan.budget import BUDGET
+from motion.plan.goals import positions
 from motion.plan.planner import plan_place
 from motion.plan.plans import Plan
 from motion.polygons import overlap
@@ -38,6 +40,7 @@ def plan_transport(
     arm: str = "auto",
     start: RobotState | None = None,
     rng: np.random.Generator | None = None,
+    budget: float = BUDGET,
 ) -> tuple[Plan, ...]:
     """Plans that bring a box to its destination: one, or two over the middle where no single hand reaches both places.
 
@@ -47,11 +50,12 @@ def plan_transport(
     Args:
         scene: where everything is.
         target: name of the box.
-        position: (3,) where its centre shall be, metres.
+        position: (3,) where its centre shall be, metres; or (n, 3) places of which one will do, the best first.
         yaw: as for `plan_place`.
         arm: with "left" or "right" there is no handing over.
         start: where the robot is; home by default.
         rng: source of all chance; a fixed seed by default.
+        budget: processor time that each plan may take, seconds.
 
     Raises:
         MotionError: as for `plan_place`, of which the first reason is given.
@@ -59,11 +63,11 @@ def plan_transport(
     start = RobotState.home() if start is None else start
     rng = np.random.default_rng(0) if rng is None else rng
     try:
-        return (plan_place(scene, target, position, yaw=yaw, arm=arm, start=start, rng=rng),)
+        return (plan_place(scene, target, position, yaw=yaw, arm=arm, start=start, rng=rng, budget=budget),)
     except (UnreachableTarget, GraspUnavailable, PlanInCollision, PathNotFound):
         if arm != "auto":
             raise
-        goal = np.asarray(position, dtype=np.float64)
+        goal = positions(target, position)[0]
         first, second = ("left", "right") if scene.box(target).position[1] > goal[1] else ("right", "left")
         if target in start.held.values():
             first = next(side for side, name in start.held.items() if name == target)
@@ -72,10 +76,13 @@ def plan_transport(
             raise
         for spot in itertools.islice(_spots(scene, target, goal), _SPOTS):
             try:
-                there = plan_place(scene, target, spot, arm=first, start=start, rng=rng)
+                there = plan_place(scene, target, spot, arm=first, start=start, rng=rng, budget=budget)
                 assert there.goal is not None
                 moved = scene.moved({target: there.goal})
-                return there, plan_place(moved, target, goal, yaw=yaw, arm=second, start=there.end, rng=rng)
+                on = plan_place(
+                    moved, target, position, yaw=yaw, arm=second, start=there.end, rng=rng, budget=budget
+                )
+                return there, on
             except MotionError:
                 continue
         raise

@@ -18,6 +18,7 @@ from motion.grasp.approaches import Putting, Taking
 from motion.grasp.candidates import Grasp
 from motion.ik.solver import solve_ik
 from motion.plan.attempts import Attempt, Effort
+from motion.plan.budget import Budget
 from motion.plan.failures import Failures
 from motion.plan.plans import Plan
 from motion.poses import Array, Pose
@@ -181,7 +182,7 @@ class Ways:
         return branch.finished("place", putting.goal.pose)
 
 
-def first_plan(grasps: Iterable[Iterator[Way]]) -> Plan | None:
+def first_plan(grasps: Iterable[Iterator[Way]], time: Budget) -> Plan | None:
     """The first plan that works out, or None.
 
     Direct ways are worked out as they are found. The others wait until some grasps have been looked at; then those with
@@ -189,26 +190,30 @@ def first_plan(grasps: Iterable[Iterator[Way]]) -> Plan | None:
 
     Args:
         grasps: the ways of each grasp, the best grasp first.
+        time: that may be taken.
+
+    Raises:
+        OutOfTime: it was used up.
     """
     waiting: list[Way] = []
-    for number, ways in enumerate(grasps, start=1):
+    for number, ways in enumerate(time.spend(grasps), start=1):
         others: list[Way] = []
-        for way in ways:
+        for way in time.spend(ways):
             if way.detours:
                 others.append(way)
             elif (plan := way.plan()) is not None:
                 return plan
         waiting += sorted(others, key=_detours)[:_DETOURS]
         if number % _WINDOW == 0:
-            plan = _worked_out(waiting)
+            plan = _worked_out(waiting, time)
             if plan is not None:
                 return plan
             waiting = []
-    return _worked_out(waiting)
+    return _worked_out(waiting, time)
 
 
-def _worked_out(ways: Sequence[Way]) -> Plan | None:
-    for way in sorted(ways, key=_detours):
+def _worked_out(ways: Sequence[Way], time: Budget) -> Plan | None:
+    for way in time.spend(sorted(ways, key=_detours)):
         plan = way.plan()
         if plan is not None:
             return plan

@@ -298,3 +298,44 @@ def test_a_full_table_has_no_room():
 @pytest.mark.parametrize("text", ["pick up the red block", "move the red block"])
 def test_without_words_of_place_there_is_none(text):
     assert told(text) is None
+
+
+def region(text, world=WORLD, moved="red"):
+    """The other places that a text leaves, as (k, 3)."""
+    found = told(text, world, moved)
+    assert found is not None, text
+    return np.array(found.region).reshape(-1, 3)
+
+
+@pytest.mark.parametrize(("said", "way"), DIRECTED)
+def test_all_other_places_are_on_the_side_that_was_said_and_free(said, way):
+    others = [WORLD[name].position for name in ("blue", "green", "base", "gray")]
+    places = region(f"put the red block {said} the green block")
+    assert len(places) > 5
+    for place in places:
+        offset = (place - WORLD["green"].position)[:2]
+        assert offset @ way > 0.9 * EDGE
+        assert min(np.abs(place - other)[:2].max() for other in others) >= EDGE - 1e-6
+        assert place[2] == pytest.approx(HEIGHT)
+        assert np.all(np.abs(place - TABLE.position)[:2] <= TABLE.half_extents[:2])
+
+
+def test_other_places_are_told_the_best_first_and_apart_from_each_other():
+    places = region("put the red block next to the blue block")
+    gaps = np.abs(places - WORLD["blue"].position)[:, :2].max(axis=1)
+    assert gaps[0] <= gaps[-1]
+    apart = np.abs(places[:, None] - places)[..., :2].max(axis=2) + np.eye(len(places))
+    assert apart.min() > 0.3 * EDGE
+
+
+@pytest.mark.parametrize("text", ["move the red block 10 cm to the left", "put the red block on the green block"])
+def test_what_is_exact_leaves_no_other_place(text):
+    places = region(text)
+    assert all(np.linalg.norm(place - where(text)) < 0.2 * EDGE for place in places)
+
+
+def test_where_its_lane_is_taken_a_side_is_aslant():
+    row = laid(**{f"n{k}": ("blue", 0.6, 0.3 - 0.07 * k) for k in range(9)}, red=("red", 0.75, -0.6))
+    offset = (where("put the red block to the left of the rightmost blue block", row) - row["n8"].position)[:2]
+    assert offset[1] > 0.7 * EDGE
+    assert 0.9 * EDGE < abs(offset[0]) < 3 * EDGE

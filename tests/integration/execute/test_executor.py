@@ -256,3 +256,12 @@ def test_a_question_is_answered_and_nothing_moves():
     report = Executor().run("how many blue blocks are there?", world)
     assert (report.outcome, report.exit_code, report.message) == ("answered", 0, "there are two")
     assert not report.handled
+
+
+def test_another_place_of_the_region_is_taken_where_the_best_cannot_be_served():
+    world = scene("four")
+    taken = tuple(float(v) for v in world["b2"].position)
+    to = Destination((taken[0], taken[1] + 0.04, taken[2]), "left", ("b2",), ((taken[0], taken[1] + 0.12, taken[2]),))
+    report = Executor().execute(grounded("place", "b1", to=to), world)
+    assert report.outcome == "done"
+    assert report.final_world["b1"].position == pytest.approx(to.region[0], abs=AT_GOAL)

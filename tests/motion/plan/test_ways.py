@@ -4,6 +4,7 @@ from hypothesis import strategies as st
 from motion_layouts import TABLE, TOP, block
 
 from motion import Box, RobotState, Scene, plan_pick, plan_place
+from motion.plan.budget import Budget
 from motion.plan.goals import heading
 from motion.plan.ways import Way, first_plan
 
@@ -17,7 +18,7 @@ def _way(order, count, plan):
 @given(detours)
 def test_a_direct_way_is_taken_before_any_search_among_the_same_few_grasps(grasps):
     order = []
-    found = first_plan(iter([_way(order, count, count + 1) for count in ways]) for ways in grasps)
+    found = first_plan((iter([_way(order, count, count + 1) for count in ways]) for ways in grasps), Budget(60.0, "b"))
     every = [count for ways in grasps for count in ways]
     if not every:
         assert found is None
@@ -30,7 +31,8 @@ def test_a_direct_way_is_taken_before_any_search_among_the_same_few_grasps(grasp
 @given(detours)
 def test_ways_that_fail_are_followed_by_others_and_searches_are_bounded(grasps):
     order = []
-    assert first_plan(iter([_way(order, count, None) for count in ways]) for ways in grasps) is None
+    ways_of_each = (iter([_way(order, count, None) for count in ways]) for ways in grasps)
+    assert first_plan(ways_of_each, Budget(60.0, "b")) is None
     assert order.count(0) == sum(ways.count(0) for ways in grasps)
     assert sum(count > 0 for count in order) == sum(min(2, sum(count > 0 for count in ways)) for ways in grasps)
 
