@@ -6,7 +6,7 @@ import sys
 from typing import TextIO
 
 
-class Progress:
+class ProgressBar:
     """Counts steps of known number.
 
     Args:

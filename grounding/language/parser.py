@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import threading
 from collections.abc import Sequence
 from dataclasses import dataclass
 from math import exp
@@ -38,6 +39,9 @@ _MOST_SKIPPED = 3
 _SKIPPED = -12.0
 """Log probability of a word that has no place in its sentence."""
 _LEXICON = known_words()
+
+_WORKING_OUT = threading.RLock()
+"""Parsing works out more of the rules as it goes, for all threads; it is done by one of them at a time."""
 
 Choice = tuple[str, str, str, float]
 """A word as it may be read, its tag, its label, and log P(word | tag, label)."""
@@ -115,6 +119,10 @@ class Parser:
         """
         if k < 1:
             raise LanguageError(f"expected at least one reading to be asked for and found k={k}")
+        with _WORKING_OUT:
+            return self._parsed(text, k)
+
+    def _parsed(self, text: str, k: int) -> tuple[Parse, ...]:
         sentences = part_commands(rewrite(without_fillers(tokenize(text)), self._is_known), self._is_verb)
         if not sentences:
             raise LanguageError(f"expected an instruction and found a text without words: {text[:40]!r}")

@@ -13,6 +13,7 @@ from integration.execute import checks
 from integration.execute.checks import Check
 from integration.execute.laying import Laying
 from integration.execute.recovery import free_hands, keep_trying, put_back, remove_leaning, spread
+from integration.execute.report import DONE, FAILED, Handled
 from integration.execute.setting_aside import beside, out_of_the_way, region_of
 from integration.execute.stage import Stage
 from integration.execute.uncovering import uncover
@@ -213,3 +214,34 @@ def _one_of(laying: Laying, stage: Stage, left: Sequence[str], region: np.ndarra
             return name if done else None
     assert refusal is not None
     raise refusal
+
+
+def verdict(done: Sequence[Check], actions: Sequence[GroundedAction], stage: Stage) -> tuple[str, str, str | None]:
+    """Outcome, message and reason; success only where there are checks and all of them passed."""
+    broken = [check for check in done if not check.passed]
+    told = "; ".join(incident.message for incident in stage.incidents if incident.kind != "check")
+    if broken or not done:
+        first = broken[0] if broken else None
+        said = "nothing was checked" if first is None else f"it is not so that {first.meaning}"
+        reason = "unchecked" if first is None else first.name
+        return FAILED, f"carried out, but {said}" + (f" ({told})" if told else ""), reason
+    parts = []
+    if not actions:
+        return DONE, "; ".join(check.meaning for check in done), None
+    for action in actions:
+        names = " and ".join([", ".join(action.objects[:-1])] * (len(action.objects) > 1) + [action.objects[-1]])
+        arms = list(dict.fromkeys({item.object: item.arm for item in stage.handled}[name] for name in action.objects))
+        hands = f"the {arms[0]} hand" if len(arms) == 1 else "the hands, one in each"
+        verb = "is" if len(action.objects) == 1 else "are"
+        parts.append(
+            f"{names} {verb} in {hands}" if action.action == "pick"
+            else f"{names} {verb} where {'it' if verb == 'is' else 'they'} should be" if action.action == "place"
+            else f"{names} {verb} out of the way"
+        )  # fmt: skip
+    return DONE, "; ".join(parts) + (f", although {told}" if told else ""), None
+
+
+def after_moving(handled: Sequence[Handled]) -> str:
+    """The things done before there was no plan, as the beginning of a sentence."""
+    names = ", ".join(item.object for item in handled)
+    return f"after {names} had been moved: " if names else ""

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from integration.execute.distances import distances_outside
-from motion import Scene
+from motion import RobotState, Scene
 from motion.polygons import contains
 
 AT_GOAL = 0.005
@@ -22,6 +22,7 @@ UNMOVED = 0.005
 HELD_FOR = 2.0
 SUPPORT_GAP = 0.002
 DRIFT = 0.0005
+AT_HOME = 0.02
 OUTSIDE = 0.0
 _DIGITS = 6
 
@@ -31,12 +32,13 @@ class Check:
     """One measurement and its verdict.
 
     Attributes:
-        name: at_goal, held, supported, released, at_rest, out_of_region or others_unmoved.
-        object: id of the object that was measured; of the one that moved most for others_unmoved ("" without any).
+        name: at_goal, held, at_home, supported, released, at_rest, out_of_region or others_unmoved.
+        object: id of the object that was measured, or the arm; for others_unmoved of the one that moved most ("" if
+            there is none).
         passed: whether `measured` keeps the limit.
         measured: what was measured, in `unit`.
         limit: the most that is allowed, or the least where `at_least`.
-        unit: "m", "s" or "contacts".
+        unit: "m", "s", "rad" or "contacts".
         meaning: what it means, for people.
         at_least: whether the limit is a lower one.
     """
@@ -74,6 +76,12 @@ def held(name: str, arm: str, seconds: float, wanted: float = HELD_FOR) -> Check
     passed = bool(seconds >= wanted - 1e-9)
     meaning = f"{name} is still held by the {arm} hand"
     return Check("held", name, passed, float(seconds), wanted, "s", meaning, at_least=True)
+
+
+def at_home(arm: str, joints: ArrayLike) -> Check:
+    """Every joint of an arm, (7,) in [rad], is within 0.02 rad of where it is at home."""
+    off = float(np.max(np.abs(np.asarray(joints, dtype=float) - RobotState.home().joints(arm))))
+    return _most("at_home", arm, off, AT_HOME, "rad", f"the {arm} arm is at home")
 
 
 def supported(scene: Scene, name: str, doubt: float = 0.0) -> Check:

@@ -40,20 +40,23 @@ class Laying:
         self.goals: dict[str, np.ndarray] = {}
         self._stage, self._action, self._arm = stage, action, arm
         self._spots: dict[str, Spots] = {}
+        self._yaws: dict[str, float | None] = {}
         self._given_up = False
 
-    def put(self, name: str, spots: Spots, keep_free: Sequence[ArrayLike] = ()) -> bool:
+    def put(self, name: str, spots: Spots, keep_free: Sequence[ArrayLike] = (), yaw: float | None = None) -> bool:
         """Sets an object down, and again where it was not seen there; False if it was given up.
 
         Args:
             name: the object.
             spots: where it may go.
             keep_free: convex outlines, (n, 2) in [m], where nothing else is to be set aside.
+            yaw: heading that it is to have there [rad]; None where that does not matter.
 
         Raises:
             NoPlan: there is no plan for it.
         """
         self._spots[name] = spots
+        self._yaws[name] = yaw
 
         def attempt(arm: str) -> None:
             uncover(self._stage, name, arm, lambda scene, start: self._plan(name, spots, arm, scene, start), keep_free)
@@ -87,7 +90,7 @@ class Laying:
             try:
                 for name in [name for name in self.goals if name in broken]:
                     self._stage.note("check", name, f"{name} did not stay at its place")
-                    self.put(name, self._spots[name])
+                    self.put(name, self._spots[name], yaw=self._yaws[name])
             except NoPlan as refusal:
                 self._stage.note("plan", refusal.objects[0] if refusal.objects else "", str(refusal))
                 break
@@ -110,7 +113,8 @@ class Laying:
         places = spots()
         if not len(places):
             raise NoPlan(f"there is no free room on the table to put {name}", (name,), "room")
-        return self._stage.plan_transport(name, places, arm, scene=scene, start=start)
+        turned = {} if self._yaws[name] is None else {"yaw": self._yaws[name]}
+        return self._stage.plan_transport(name, places, arm, scene=scene, start=start, **turned)
 
     def _measured(self, objects: Sequence[str], what: str) -> tuple[Check, ...]:
         stage = self._stage

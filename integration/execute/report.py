@@ -12,8 +12,15 @@ from integration.execute.checks import Check
 from integration.execute.incidents import Incident
 from motion import PhaseRecord, Pose, RobotState
 
-DONE, ANSWERED, NOT_GROUNDED, NO_PLAN, FAILED = OUTCOMES = ("done", "answered", "not_grounded", "no_plan", "failed")
-EXIT_CODES = {DONE: 0, ANSWERED: 0, NOT_GROUNDED: 3, NO_PLAN: 4, FAILED: 5}
+OUTCOMES = ("done", "answered", "not_grounded", "no_plan", "failed", "cancelled")
+DONE, ANSWERED, NOT_GROUNDED, NO_PLAN, FAILED, CANCELLED = OUTCOMES
+EXIT_CODES = {DONE: 0, ANSWERED: 0, NOT_GROUNDED: 3, NO_PLAN: 4, FAILED: 5, CANCELLED: 6}
+
+_UNGROUNDED = {
+    "ambiguous": "more than one thing could be meant; say which one",
+    "no_referent": "nothing in this world is meant by these words",
+    "not_understood": "the words were not understood as something to pick up, put somewhere or clear away",
+}
 
 
 @dataclass(frozen=True)
@@ -59,7 +66,7 @@ class Report:
 
     Attributes:
         instruction: as it was given.
-        outcome: "done", "not_grounded", "no_plan" or "failed".
+        outcome: one of `OUTCOMES`.
         message: one sentence on the outcome, for people.
         grounding: what was understood.
         world: as it was given.
@@ -96,7 +103,7 @@ class Report:
 
     @property
     def exit_code(self) -> int:
-        """0 done and checked, 3 not grounded, 4 no plan, 5 executed but the check failed."""
+        """0 done and checked, 3 not grounded, 4 no plan, 5 executed but the check failed, 6 cancelled."""
         return EXIT_CODES[self.outcome]
 
     @property
@@ -140,3 +147,12 @@ class Report:
                 "steps": [{"name": step.name, "seconds": round(step.seconds, 4)} for step in self.steps],
             },
         }
+
+
+def ungrounded(grounding: Grounding, world: World, seed: int, steps: tuple[Step, ...]) -> Report:
+    """The report where there is nothing to do."""
+    if grounding.answer is not None:
+        return Report(grounding.instruction, ANSWERED, grounding.answer, grounding, world, world, seed, steps=steps)
+    why = grounding.outcome if grounding.outcome in _UNGROUNDED else "no_referent"
+    message = grounding.question or grounding.explanation or _UNGROUNDED[why]
+    return Report(grounding.instruction, NOT_GROUNDED, message, grounding, world, world, seed, why, steps=steps)

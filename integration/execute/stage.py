@@ -12,12 +12,13 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 import motion
+from integration.contract.progress import Cancel, Cancelled, OnProgress, Progress
 from integration.errors import NoPlan
 from integration.execute.checks import HELD_FOR, drifts
 from integration.execute.incidents import Incident, Trouble
 from integration.execute.monitor import Monitor
 from integration.execute.report import Handled, Step
-from motion import Fault, MotionError, PhaseRecord, Plan, Scene, Sensor, Simulator
+from motion import Fault, MotionError, Phase, PhaseRecord, Plan, RobotState, Scene, Sensor, Simulator
 
 Watch = Callable[[Simulator], None]
 
@@ -27,6 +28,8 @@ _WATCHED = 0.5
 _SAMPLE = 10
 _FALLING, _PAUSE = 3.0, 0.3
 _FRAMES, _CAREFUL = 10, 30
+_CANCELLED = "cancelled"
+_TOLD = 0.1  # simulated seconds from one report of progress to the next
 
 
 class Planner(Protocol):
@@ -49,6 +52,7 @@ class Stage:
         watch: called after every step of physics, for videos and viewers.
         faults: what shall go wrong.
         sensor: how well blocks are seen.
+        state: where the robot is at the beginning; home by default.
 
     Attributes:
         simulator: where everything is.
@@ -67,21 +71,36 @@ class Stage:
         watch: Watch | None = None,
         faults: Sequence[Fault] = (),
         sensor: Sensor | None = None,
+        state: RobotState | None = None,
     ) -> None:
-        self.steps: list[Step] = []
-        self.handled: list[Handled] = []
-        self.incidents: list[Incident] = []
-        self.records: list[PhaseRecord] = []
-        self.moved: set[str] = set()
+        self.begin()
+        self._watch = watch
         self._rng = np.random.default_rng(seed)
         self._sensor = Sensor() if sensor is None else sensor
         self._seeing = np.random.default_rng([seed, 1])
         self._seen: tuple[float, int, Scene] | None = None
         self._planner: Any = motion if planner is None else planner
-        self._watch = watch
         self._given = scene
         with self._timed("build the scene"):
-            self.simulator = Simulator(scene, faults=faults)
+            self.simulator = Simulator(scene, state, faults)
+
+    def begin(self, on_progress: OnProgress | None = None, cancel: Cancel | None = None) -> None:
+        """Begins with another goal: nothing was done for it so far.
+
+        Args:
+            on_progress: called while the work is done.
+            cancel: tells when to stop.
+        """
+        self.steps: list[Step] = []
+        self.handled: list[Handled] = []
+        self.incidents: list[Incident] = []
+        self.records: list[PhaseRecord] = []
+        self.moved: set[str] = set()
+        self.attend(on_progress, cancel)
+
+    def attend(self, on_progress: OnProgress | None, cancel: Cancel | None) -> None:
+        """Tells somebody how far the work is, and heeds a wish to stop, from now on."""
+        self._on_progress, self._cancel = on_progress, cancel
 
     def __enter__(self) -> Stage:
         return self
@@ -148,7 +167,7 @@ class Stage:
         """
         options = {"scene": self.scene, "start": self.simulator.state(), **options}
         scene = options.pop("scene")
-        with self._timed(f"plan the pick of {name}"), _refusals(name):
+        with self._planning(f"plan the pick of {name}", name):
             plan: Plan = self._planner.plan_pick(scene, name, arm=arm, rng=self._rng, **options)
         return plan
 
@@ -166,7 +185,7 @@ class Stage:
         """
         options = {"scene": self.scene, "start": self.simulator.state(), **options}
         scene = options.pop("scene")
-        with self._timed(f"plan the place of {name}"), _refusals(name):
+        with self._planning(f"plan the place of {name}", name):
             return tuple(self._planner.plan_transport(scene, name, position, arm=arm, rng=self._rng, **options))
 
     def plan_unstacking(self, name: str, arm: str, keep_free: Sequence[ArrayLike] = ()) -> tuple[Plan, ...]:
@@ -176,7 +195,7 @@ class Stage:
             NoPlan: with motion's reason.
         """
         scene, start = self.scene, self.simulator.state()
-        with self._timed(f"plan to uncover {name}"), _refusals(name):
+        with self._planning(f"plan to uncover {name}", name):
             return motion.plan_unstacking(scene, name, arm=arm, start=start, rng=self._rng, keep_free=keep_free)
 
     def plan_home(self, arm: str) -> Plan:
@@ -185,7 +204,7 @@ class Stage:
         Raises:
             NoPlan: with motion's reason.
         """
-        with self._timed(f"plan the way home of the {arm} arm"), _refusals(""):
+        with self._planning(f"plan the way home of the {arm} arm", ""):
             return motion.plan_home(self.scene, arm=arm, start=self.simulator.state(), rng=self._rng)
 
     def execute(self, plan: Plan, action: str, name: str) -> None:
@@ -200,16 +219,58 @@ class Stage:
             x, y, z = (float(value) for value in plan.goal.position)
             self.handled.append(Handled(action, name, plan.arm, (x, y, z)))
         monitor = Monitor(plan, scene, self._sensor, self._seeing, lambda: self.scene)
+        before = 0.0
         for phase in plan.phases:
+            self._tell(phase.name, name, before / max(plan.duration, 1e-9))
             begin = time.perf_counter()
-            watching = monitor.during(phase)
+            watching = self._stoppable(monitor.during(phase), plan, phase, name, before)
             record = self.simulator.run_phase(plan.arm, plan.target, phase, self._watch, watching)
+            before += phase.duration
             self.steps.append(Step(phase.name, time.perf_counter() - begin, record.duration))
             self.records.append(record)
+            if record.left == _CANCELLED:
+                raise Cancelled(self._where(plan.arm, phase.name), phase.name)
             found = monitor.after(phase, record, self.simulator)
             if found is not None:
                 kind, message = found.split(": ", 1)
                 raise Trouble(self.note(kind, name, message, phase.name), plan.arm)
+
+    def _stoppable(
+        self, look: Callable[[Simulator], str | None], plan: Plan, phase: Phase, name: str, before: float
+    ) -> Callable[[Simulator], str | None]:
+        """Watches a phase, tells how far it is, and heeds a wish to stop."""
+        start = told = self.simulator.time
+
+        def watching(simulator: Simulator) -> str | None:
+            nonlocal told
+            if self._cancel is not None and self._cancel.is_set():
+                return _CANCELLED
+            if simulator.time - told >= _TOLD:
+                told = simulator.time
+                self._tell(phase.name, name, (before + told - start) / max(plan.duration, 1e-9))
+            return look(simulator)
+
+        return watching
+
+    def _tell(self, step: str, name: str, fraction: float) -> None:
+        if self._on_progress is not None:
+            self._on_progress(Progress(step, name, round(min(fraction, 1.0), 6), self.simulator.time))
+
+    def _heed(self, step: str) -> None:
+        """Stops here if that is wished.
+
+        Raises:
+            Cancelled: it is.
+        """
+        if self._cancel is not None and self._cancel.is_set():
+            raise Cancelled(f"stopped before it could {step}; the arms stand still", step)
+
+    def _where(self, arm: str, phase: str) -> str:
+        """Where an arm stands and what it holds, for people."""
+        x, y, z = self.simulator.tool_pose(arm).position
+        held = self.simulator.holding(arm)
+        holding = f" with {', '.join(held)} in its hand" if held else ""
+        return f"stopped during {phase}; the {arm} arm stands still at ({x:.3f}, {y:.3f}, {z:.3f}){holding}"
 
     def come_to_rest(self) -> None:
         """Lets what was pushed or dropped come to rest."""
@@ -258,6 +319,19 @@ class Stage:
             later = self.look_carefully()
             step["simulated"] = self.simulator.time - start
         return drifts(earlier, later)
+
+    @contextmanager
+    def _planning(self, step: str, name: str) -> Iterator[None]:
+        """Notes the step of planning, tells it, and turns motion's refusals into `NoPlan`.
+
+        Raises:
+            Cancelled: it is to be stopped.
+        """
+        self._heed(step)
+        self._tell(step, name, 0.0)
+        with self._timed(step), _refusals(name):
+            yield
+        self._heed(step)
 
     @contextmanager
     def _timed(self, name: str) -> Iterator[dict[str, float]]:

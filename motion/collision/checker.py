@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import copy
 from collections.abc import Iterable, Sequence
-from functools import lru_cache
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -22,6 +21,7 @@ from motion.physics_engine import mujoco
 from motion.poses import Array, Pose
 from motion.robot.state import RobotState
 from motion.scene import Scene
+from motion.threads import per_thread
 
 _RESTING_OVERLAP = 0.003
 _ROBOT, _THINGS = 1, 2
@@ -231,7 +231,7 @@ class _Workspace(NamedTuple):
     mine: Flags
 
 
-@lru_cache(maxsize=16)
+@per_thread(maxsize=16)
 def _workspace(indices: SceneModel, held: str | None, margin: float = CLEARANCE) -> _Workspace:
     model = copy.copy(indices.model)
     model.opt.enableflags = 0

@@ -7,7 +7,6 @@ where their loose boxes are share one. Treat them as read-only; whoever changes 
 from __future__ import annotations
 
 from collections.abc import Iterable
-from functools import lru_cache
 from typing import Any
 
 import numpy as np
@@ -20,6 +19,7 @@ from motion.robot.load import load_robot
 from motion.robot.recipe import recipe
 from motion.robot.state import ARMS, RobotState
 from motion.scene import Box, Scene
+from motion.threads import shared
 
 BOX_PREFIX = "box/"
 
@@ -130,7 +130,7 @@ class _Key:
         return isinstance(other, _Key) and self._values == other._values
 
 
-@lru_cache(maxsize=8)
+@shared(maxsize=8)
 def _compiled(keys: tuple[_Key, ...], visuals: bool) -> SceneModel:
     boxes = [key.box for key in keys]
     spec = robot_spec(load_robot().folder, recipe(), visuals)

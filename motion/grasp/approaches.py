@@ -195,7 +195,7 @@ class Approaches:
 
 
 def release_opening(width: float) -> float:
-    """How far the gripper opens to let a box of this width go, metres."""
+    """The opening of the gripper after it let a box of this width go, metres."""
     return min(recipe().gripper.opened, width + 2 * _RELEASE_ROOM)
 
 

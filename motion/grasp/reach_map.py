@@ -27,7 +27,7 @@ from motion.grasp.reach import LIFT
 from motion.ik.solver import solve_ik
 from motion.ik.tracking import track
 from motion.poses import Array, Pose, frozen
-from motion.progress_bar import Progress
+from motion.progress_bar import ProgressBar
 from motion.robot.recipe import recipe
 from motion.robot.state import ARMS, RobotState
 from motion.scene import Box, Scene
@@ -148,7 +148,7 @@ def reach_map(
 
     def build(folder: Path) -> None:
         x, y = _places(table, spacing)
-        bar = Progress("Mapping what the arms reach", len(x) * len(ARMS)) if progress else None
+        bar = ProgressBar("Mapping what the arms reach", len(x) * len(ARMS)) if progress else None
         share = _mapped(table, size, x, y, (lambda: None) if bar is None else bar.step)
         if bar is not None:
             bar.close()

@@ -9,7 +9,6 @@ qpsolvers knows can do the quadratic programs; `benchmarks/ik.py` measures them.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from functools import lru_cache
 
 import mink
 import numpy as np
@@ -18,6 +17,7 @@ from motion.errors import InvalidGoal
 from motion.ik.levenberg_marquardt import ORIENTATION_TOLERANCE, POSITION_TOLERANCE, Descent
 from motion.poses import Array, Pose
 from motion.robot.load import load_robot
+from motion.threads import per_thread
 
 STEPS = 40
 _LARGEST_STEP = 0.6
@@ -133,9 +133,9 @@ class DifferentialIk:
         return Descent(joints, error <= 1, step, 0.0 if error <= 1 else np.inf)
 
 
-@lru_cache(maxsize=16)
+@per_thread(maxsize=16)
 def differential_ik(arm: str, solver: str) -> DifferentialIk:
-    """The objects of one arm and one solver, shared.
+    """The objects of one arm and one solver, for this thread.
 
     Raises:
         InvalidGoal: there is no such arm, or no such solver.

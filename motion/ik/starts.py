@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from functools import lru_cache
 from itertools import islice
 from typing import NamedTuple
 
@@ -15,6 +14,7 @@ from motion.ik.seeds import NEIGHBOURS, SeedTable
 from motion.poses import Array
 from motion.robot.load import load_robot
 from motion.robot.recipe import recipe
+from motion.threads import shared
 
 RESTARTS = 150
 """Starts at most, by default; nine in ten targets need one, and what is far out of reach is given up after thirty."""
@@ -81,7 +81,7 @@ def _from_table(problem: Problem, count: int = NEIGHBOURS) -> Iterator[Array]:
     return iter(_table(problem.arm.name).starts(placement.translation, placement.rotation, problem.preferred, count))
 
 
-@lru_cache(maxsize=2)
+@shared(maxsize=2)
 def _table(arm: str) -> SeedTable:
     robot = load_robot()
     return SeedTable(robot.kinematics(arm), robot.arm(arm).wrist, recipe().home[arm])

@@ -79,9 +79,7 @@ def plan_transport(
                 there = plan_place(scene, target, spot, arm=first, start=start, rng=rng, budget=budget)
                 assert there.goal is not None
                 moved = scene.moved({target: there.goal})
-                on = plan_place(
-                    moved, target, position, yaw=yaw, arm=second, start=there.end, rng=rng, budget=budget
-                )
+                on = plan_place(moved, target, position, yaw=yaw, arm=second, start=there.end, rng=rng, budget=budget)
                 return there, on
             except MotionError:
                 continue

@@ -18,7 +18,7 @@ from typing import Any
 
 from motion.cache import cached_folder
 from motion.physics_engine import mujoco
-from motion.progress_bar import Progress
+from motion.progress_bar import ProgressBar
 from motion.robot.description import PACKAGE, description_folder, disabled_pairs, overlaid_urdf
 from motion.robot.meshes import write_hull, write_visual
 from motion.robot.recipe import Recipe, recipe
@@ -45,7 +45,7 @@ def build(folder: Path, settings: Recipe, progress: bool = True) -> None:
     source = description_folder()
     urdf = overlaid_urdf(source, settings)
     visuals, hulls = _mesh_files(urdf)
-    bar = Progress("Building Baxter", len(visuals) + len(hulls) + 2) if progress else None
+    bar = ProgressBar("Building Baxter", len(visuals) + len(hulls) + 2) if progress else None
     total = 267_000
     for name, file in {**visuals, **hulls}.items():
         if name in hulls:

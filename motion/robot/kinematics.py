@@ -6,6 +6,7 @@ nineteen); many configurations at once go through numpy along the same chain, wh
 
 from __future__ import annotations
 
+import threading
 from collections.abc import Sequence
 from typing import Any
 
@@ -24,7 +25,6 @@ class ArmKinematics:
 
     Attributes:
         model: Pinocchio's model of this arm alone (seven joints), its base standing in the world's frame.
-        data: Pinocchio's workspace for it; whoever computes with `model` overwrites it.
         lower: (7,) lower ends of the joints' ranges less the recipe's margin, radians.
         upper: (7,) upper ends.
         tool: Pinocchio's placement of the tool frame in the last joint's frame.
@@ -35,13 +35,21 @@ class ArmKinematics:
         keep = {robot.getJointId(joint) for joint in joints}
         others = [index for index in range(1, robot.njoints) if index not in keep]
         self.model = pinocchio.buildReducedModel(robot, others, pinocchio.neutral(robot))
-        self.data = self.model.createData()
+        self._own = threading.local()
         self.lower, self.upper = frozen(lower), frozen(upper)
         self.tool = pinocchio.SE3(self.model.frames[self.model.getFrameId(f"{name}_gripper")].placement)
         self.tool_inverse = self.tool.inverse()
         self._frame = self.model.getFrameId(f"{name}_gripper")
         placements = [self.model.jointPlacements[index] for index in range(1, LAST + 1)]
         self._links = [(np.array(placement.rotation), np.array(placement.translation)) for placement in placements]
+
+    @property
+    def data(self) -> Any:
+        """Pinocchio's workspace for it in this thread; whoever computes with `model` overwrites it."""
+        data = getattr(self._own, "data", None)
+        if data is None:
+            data = self._own.data = self.model.createData()
+        return data
 
     def pose(self, joints: ArrayLike) -> Pose:
         """Pose of the tool frame in the world's frame.

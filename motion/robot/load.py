@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import itertools
 from dataclasses import dataclass
-from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
@@ -17,6 +16,7 @@ from motion.poses import Array, Pose, frozen
 from motion.robot.build import ARM_JOINTS, robot_folder
 from motion.robot.kinematics import ArmKinematics
 from motion.robot.recipe import JointLimits, recipe
+from motion.threads import shared
 
 
 @dataclass(frozen=True, eq=False)
@@ -128,7 +128,7 @@ class Robot:
         )
 
 
-@lru_cache(maxsize=1)
+@shared(maxsize=1)
 def load_robot() -> Robot:
     """The robot, built on first use (a progress bar on standard error says so), later read from the user's cache.
 

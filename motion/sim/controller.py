@@ -39,7 +39,8 @@ class Controller:
 
     def __init__(self, indices: SceneModel, model: Any, state: RobotState, injector: Injector | None) -> None:
         self.reference = {arm: np.array(state.joints(arm)) for arm in ARMS}
-        self.width = {arm: state.widths[arm] for arm in ARMS}
+        squeeze = recipe().gripper.squeeze
+        self.width = {arm: state.widths[arm] - squeeze * (arm in state.held) for arm in ARMS}
         self._indices, self._model, self._injector = indices, model, injector
         self._integral = {arm: np.zeros(7) for arm in ARMS}
         gains = recipe().actuators

@@ -3,7 +3,7 @@ import io
 import pytest
 
 from motion.cache import cache_root, cached_folder, intact
-from motion.progress_bar import Progress
+from motion.progress_bar import ProgressBar
 from motion.robot.build import build
 from motion.robot.load import Robot
 from motion.robot.recipe import recipe
@@ -78,7 +78,7 @@ def test_progress_draws_in_place_on_a_terminal():
             return True
 
     stream = Terminal()
-    bar = Progress("Work", 2, stream)
+    bar = ProgressBar("Work", 2, stream)
     bar.step("one")
     bar.step("two")
     bar.close()

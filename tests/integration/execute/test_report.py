@@ -7,7 +7,7 @@ from integration.execute.report import DONE, EXIT_CODES, Report, Step
 
 
 def test_exit_codes_are_those_of_the_command():
-    assert EXIT_CODES == {"done": 0, "answered": 0, "not_grounded": 3, "no_plan": 4, "failed": 5}
+    assert EXIT_CODES == {"done": 0, "answered": 0, "not_grounded": 3, "no_plan": 4, "failed": 5, "cancelled": 6}
 
 
 def test_all_that_a_clock_measured_is_under_timings():
