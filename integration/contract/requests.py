@@ -126,7 +126,7 @@ def checked_arm(arm: str) -> str:
 
 
 def timed_grounding(grounder: GrounderLike, text: str, world: World, history: Sequence[str]) -> tuple[Grounding, float]:
-    """What a text means, and how long that took in seconds.
+    """The meaning of a text, and how long that took in seconds.
 
     Raises:
         LanguageError: the text is empty.

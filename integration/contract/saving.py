@@ -21,7 +21,7 @@ _KEYS = ("schema", "world", "robot", "history", "seed", "before")
 
 @dataclass(frozen=True, eq=False)
 class Saved:
-    """What a session needs to go on.
+    """The things that a session needs to go on.
 
     Attributes:
         world: as it was observed last.
@@ -95,7 +95,7 @@ def read_session(path: Path) -> Saved:
 
 
 def _held(data: Any, world: World) -> Mapping[str, str]:
-    """What hands hold, by arm.
+    """The things that hands hold, by arm.
 
     Raises:
         ValueError: there is no such arm or thing.

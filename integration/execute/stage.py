@@ -5,7 +5,6 @@ from __future__ import annotations
 import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from types import TracebackType
 from typing import Any, Protocol
 
 import numpy as np
@@ -28,8 +27,7 @@ _WATCHED = 0.5
 _SAMPLE = 10
 _FALLING, _PAUSE = 3.0, 0.3
 _FRAMES, _CAREFUL = 10, 30
-_CANCELLED = "cancelled"
-_TOLD = 0.1  # simulated seconds from one report of progress to the next
+_CANCELLED, _TOLD = "cancelled", 0.1  # the latter: simulated seconds between reports of progress
 
 
 class Planner(Protocol):
@@ -99,15 +97,13 @@ class Stage:
         self.attend(on_progress, cancel)
 
     def attend(self, on_progress: OnProgress | None, cancel: Cancel | None) -> None:
-        """Tells somebody how far the work is, and heeds a wish to stop, from now on."""
+        """Tells how far the work is, and heeds a wish to stop, from now on."""
         self._on_progress, self._cancel = on_progress, cancel
 
     def __enter__(self) -> Stage:
         return self
 
-    def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
-    ) -> None:
+    def __exit__(self, *_: object) -> None:
         self.simulator.close()
 
     @property
