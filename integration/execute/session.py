@@ -104,7 +104,7 @@ class Session:
 
     @property
     def facts(self) -> tuple[Fact, ...]:
-        """What holds now, for symbolic planners."""
+        """Facts that hold now, for symbolic planners."""
         return facts_of(scene_of(self._world), self.held)
 
     @property
@@ -114,7 +114,7 @@ class Session:
 
     @property
     def can_undo(self) -> bool:
-        """Whether a goal has moved anything that was not moved back."""
+        """True while a goal has moved something that was not moved back."""
         return bool(self._before)
 
     # What can be done.
@@ -139,7 +139,7 @@ class Session:
         return self.perform(grounding, (step,), on_progress, cancel)
 
     def ground(self, text: str) -> tuple[Grounding, Step]:
-        """What a text means here and now, without doing it, and how long that took as a step.
+        """The meaning of a text here and now, without doing it, and how long that took as a step.
 
         Raises:
             LanguageError: the text is empty.
