@@ -76,6 +76,7 @@ from motion.ik.servo import servo
 from motion.ik.solver import IkSolution, solve_ik
 from motion.path.trajectory import Trajectory
 from motion.plan.free_spots import free_spots
+from motion.plan.joint_trajectory import GripperCommand, JointTrajectory
 from motion.plan.planner import plan_home, plan_pick, plan_place
 from motion.plan.plans import Phase, Plan
 from motion.plan.transport import plan_transport
@@ -101,10 +102,12 @@ __all__ = [
     "Fault",
     "Grasp",
     "GraspUnavailable",
+    "GripperCommand",
     "IkSolution",
     "InvalidGoal",
     "InvalidScene",
     "Jam",
+    "JointTrajectory",
     "LimitViolation",
     "Marker",
     "MotionError",

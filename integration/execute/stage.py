@@ -262,7 +262,7 @@ class Stage:
             raise Cancelled(f"stopped before it could {step}; the arms stand still", step)
 
     def _where(self, arm: str, phase: str) -> str:
-        """Where an arm stands and what it holds, for people."""
+        """A sentence on where an arm stands and what it holds."""
         x, y, z = self.simulator.tool_pose(arm).position
         held = self.simulator.holding(arm)
         holding = f" with {', '.join(held)} in its hand" if held else ""

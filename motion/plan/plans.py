@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 from motion.grasp.candidates import Grasp
 from motion.path.trajectory import Trajectory
+from motion.plan.joint_trajectory import JointTrajectory, joined
 from motion.poses import Pose
 from motion.robot.state import RobotState
 
@@ -62,3 +63,15 @@ class Plan:
     def duration(self) -> float:
         """Seconds of all phases."""
         return sum(phase.duration for phase in self.phases)
+
+    def to_joint_trajectory(self, rate: float = 100.0) -> JointTrajectory:
+        """The plan for other controllers, with the fields of ROS's `trajectory_msgs/JointTrajectory`.
+
+        Args:
+            rate: points a second; each phase ends with a point of its own besides.
+
+        Raises:
+            InvalidGoal: the rate is no finite number above 0.
+        """
+        phases = ((phase.trajectory, phase.gripper) for phase in self.phases)
+        return joined(self.arm, phases, self.start.widths[self.arm], rate)

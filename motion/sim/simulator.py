@@ -11,6 +11,7 @@ import numpy as np
 
 from motion.collision.scene_model import scene_model
 from motion.errors import InvalidGoal, SimulationDiverged
+from motion.path.resampling import resampled_in_time
 from motion.physics_engine import mujoco
 from motion.plan.plans import Phase, Plan
 from motion.poses import Array, Pose
@@ -209,7 +210,7 @@ class Simulator:
         on_step: StepCallback | None = None,
         until: Until | None = None,
     ) -> PhaseRecord:
-        """Carries out one phase of a plan, which begins where the robot is now.
+        """Carries out one phase of a plan, which begins where the robot is now, in the time that its trajectory takes.
 
         Args:
             arm: the plan's arm.
@@ -221,7 +222,8 @@ class Simulator:
         Raises:
             SimulationDiverged: the physics broke down.
         """
-        trajectory, controller = phase.trajectory, self._controller
+        trajectory = resampled_in_time(phase.trajectory, float(self._model.opt.timestep))
+        controller = self._controller
         steps = whole = len(trajectory.positions) - 1
         before, error, k, offset = controller.width[arm], 0.0, 0, 0
         contacts: set[Pair] = set()
