@@ -53,6 +53,7 @@ import motion.physics_engine  # noqa: F401  # first: it makes do without OpenGL,
 
 # isort: split
 from motion.errors import (
+    BackendLost,
     GraspUnavailable,
     InvalidGoal,
     InvalidScene,
@@ -86,8 +87,11 @@ from motion.robot.kinematics import ArmKinematics
 from motion.robot.load import Robot, load_robot
 from motion.robot.state import RobotState
 from motion.scene import Box, Scene
+from motion.sim.backend import Backend, MakeBackend
 from motion.sim.execution import Execution, PhaseRecord
 from motion.sim.faults import Fault, Jam, Push, Slip
+from motion.sim.guarded import Guarded
+from motion.sim.recording import Recorder, replay
 from motion.sim.rendering import CAMERAS, Camera, Marker, Renderer, rendering_available
 from motion.sim.sensing import Sensor
 from motion.sim.simulator import Simulator
@@ -96,6 +100,8 @@ __all__ = [
     "CAMERAS",
     "ArmKinematics",
     "Avoidance",
+    "Backend",
+    "BackendLost",
     "Box",
     "Camera",
     "Execution",
@@ -103,12 +109,14 @@ __all__ = [
     "Grasp",
     "GraspUnavailable",
     "GripperCommand",
+    "Guarded",
     "IkSolution",
     "InvalidGoal",
     "InvalidScene",
     "Jam",
     "JointTrajectory",
     "LimitViolation",
+    "MakeBackend",
     "Marker",
     "MotionError",
     "OutOfTime",
@@ -122,6 +130,7 @@ __all__ = [
     "Reach",
     "ReachMap",
     "Reachable",
+    "Recorder",
     "Renderer",
     "RenderingUnavailable",
     "Robot",
@@ -148,6 +157,7 @@ __all__ = [
     "reach_map",
     "reachable",
     "rendering_available",
+    "replay",
     "servo",
     "solutions",
     "solve_ik",

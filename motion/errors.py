@@ -117,6 +117,18 @@ class OutOfTime(MotionError):
         super().__init__(message)
 
 
+class BackendLost(MotionError):
+    """A backend did not answer in time; it was told to stop.
+
+    Attributes:
+        asked: what it was asked.
+    """
+
+    def __init__(self, message: str, asked: str) -> None:
+        self.asked = asked
+        super().__init__(message)
+
+
 class LimitViolation(MotionError):
     """A trajectory exceeds a limit of a joint.
 

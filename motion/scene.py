@@ -141,6 +141,11 @@ class Scene:
         """The boxes' names, in order."""
         return tuple(box.name for box in self.boxes)
 
+    @property
+    def poses(self) -> dict[str, Pose]:
+        """The pose of every box, by name."""
+        return {box.name: box.pose for box in self.boxes}
+
     def box(self, name: str) -> Box:
         """The box of that name.
 

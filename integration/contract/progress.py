@@ -6,6 +6,7 @@ from collections.abc import Callable
 from typing import NamedTuple, Protocol
 
 from integration.errors import IntegrationError
+from motion import Backend
 
 
 class Progress(NamedTuple):
@@ -44,3 +45,11 @@ class Cancelled(IntegrationError):
     def __init__(self, message: str, step: str) -> None:
         self.step = step
         super().__init__(message)
+
+
+def stopped(backend: Backend, arm: str, phase: str) -> str:
+    """A sentence on where an arm was stopped and what it holds."""
+    x, y, z = backend.tool_pose(arm).position
+    held = backend.holding(arm)
+    holding = f" with {', '.join(held)} in its hand" if held else ""
+    return f"stopped during {phase}; the {arm} arm stands still at ({x:.3f}, {y:.3f}, {z:.3f}){holding}"

@@ -6,10 +6,11 @@ from collections.abc import Sequence
 
 from grounding.result import Grounding
 from grounding.world import World
+from integration.contract.planning import Planner
 from integration.contract.requests import GrounderLike, checked_arm, timed_grounding
 from integration.execute.report import Report, Step
 from integration.execute.session import Session
-from integration.execute.stage import Planner, Watch
+from integration.execute.stage import Watch
 from motion import Fault, Sensor
 
 

@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from motion import Phase, PhaseRecord, Plan, Pose, Scene, Sensor, Simulator
+from motion import Backend, Phase, PhaseRecord, Plan, Pose, Scene, Sensor
 
 MOVED, TURNED = 0.003, 0.06
 """Largest move and turn of a block since its grasp was planned: [m], [rad]."""
@@ -45,11 +45,11 @@ class Monitor:
         self._width = plan.grasp.width if plan.grasp is not None else plan.start.widths[plan.arm] if held else None
         self._calls, self._taken = 0, held
 
-    def during(self, phase: Phase) -> Callable[[Simulator], str | None]:
+    def during(self, phase: Phase) -> Callable[[Backend], str | None]:
         """Watches a phase while it is carried out, for reasons to leave it: each as "kind: what was noticed"."""
         before: float | None = None
 
-        def look(simulator: Simulator) -> str | None:
+        def look(simulator: Backend) -> str | None:
             nonlocal before
             off = simulator.tracking_error(self._plan.arm)
             before = off if before is None else before  # an arm that was held up may free itself
@@ -68,7 +68,7 @@ class Monitor:
 
         return look
 
-    def after(self, phase: Phase, record: PhaseRecord, simulator: Simulator) -> str | None:
+    def after(self, phase: Phase, record: PhaseRecord, simulator: Backend) -> str | None:
         """The fault that a finished phase shows, as "kind: what was noticed", or None."""
         if record.left is not None:
             return record.left
@@ -103,7 +103,7 @@ class Monitor:
             return f"moved: {self._target} was moved by {1000 * distance:.0f} mm and {np.degrees(angle):.0f} degrees"
         return None
 
-    def _closed(self, width: float, simulator: Simulator) -> str | None:
+    def _closed(self, width: float, simulator: Backend) -> str | None:
         assert self._width is not None
         if width > self._width + WIDTH:
             return (
@@ -115,7 +115,7 @@ class Monitor:
         self._grip = simulator.tool_pose(self._plan.arm).inverse() @ self._glimpse(simulator)
         return None
 
-    def _lost(self, simulator: Simulator) -> str | None:
+    def _lost(self, simulator: Backend) -> str | None:
         if self._width is not None and abs(simulator.gripper_width(self._plan.arm) - self._width) > WIDTH:
             width = 1000 * simulator.gripper_width(self._plan.arm)
             return f"slipped: {self._target} left the {self._plan.arm} hand, whose fingers are {width:.1f} mm apart"
@@ -127,7 +127,7 @@ class Monitor:
             return f"slipped: {self._target} slipped by {1000 * off:.0f} mm in the {self._plan.arm} hand"
         return None
 
-    def _glimpse(self, simulator: Simulator) -> Pose:
+    def _glimpse(self, simulator: Backend) -> Pose:
         """The place of the target by one frame."""
         assert self._target is not None
         return self._sensor.glimpse(simulator.pose(self._target), self._rng)

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
-from types import TracebackType
 
 from grounding.result import GroundedAction, Grounding
 from grounding.world import World
 from integration.contract.facts import Fact, facts_of
+from integration.contract.planning import Planner
 from integration.contract.progress import Cancel, Cancelled, OnProgress
 from integration.contract.requests import Goal, GrounderLike, Home, checked_arm, grounded, timed_grounding
 from integration.contract.saving import Saved, read_session, write_session
@@ -17,10 +17,10 @@ from integration.execute.actions import after_moving, carry_out, refuse_beyond_h
 from integration.execute.checks import Check, at_home
 from integration.execute.incidents import Trouble
 from integration.execute.report import CANCELLED, DONE, FAILED, NO_PLAN, Report, Step, ungrounded
-from integration.execute.stage import Planner, Stage, Watch
+from integration.execute.stage import Stage, Watch
 from integration.execute.undoing import displaced, move_back
 from integration.worlds_and_scenes import scene_of, world_at
-from motion import Fault, MotionError, Pose, RobotState, Sensor, SimulationDiverged
+from motion import BackendLost, Fault, MakeBackend, MotionError, RobotState, Sensor, SimulationDiverged, Simulator
 from motion.robot.state import ARMS
 
 Work = Callable[[Stage], tuple[Check, ...]]
@@ -40,7 +40,8 @@ class Session:
         faults: what shall go wrong in the simulation.
         sensor: how well blocks are seen; exactly by default.
         state: where the robot is at the beginning, and what it holds; home with empty hands by default.
-        watch: called with the simulator after every step of physics.
+        watch: called with the backend after every time step.
+        backend: makes what carries plans out, from a scene, a state and faults; a simulator by default.
 
     Raises:
         UsageError: there is no such arm.
@@ -58,10 +59,11 @@ class Session:
         sensor: Sensor | None = None,
         state: RobotState | None = None,
         watch: Watch | None = None,
+        backend: MakeBackend = Simulator,
     ) -> None:
         self._arm, self._seed, self._planner = checked_arm(arm), seed, planner
         self._grounder, self._faults, self._sensor = grounder, tuple(faults), sensor
-        self._world, self._state, self._watch = world, state, watch
+        self._world, self._state, self._watch, self._backend = world, state, watch, backend
         self._stage: Stage | None = None
         self._settled = state is not None
         self._closed = False
@@ -71,9 +73,7 @@ class Session:
     def __enter__(self) -> Session:
         return self
 
-    def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
-    ) -> None:
+    def __exit__(self, *_: object) -> None:
         self.close()
 
     def close(self) -> None:
@@ -288,6 +288,9 @@ class Session:
             message, reason = f"it was stopped, because {error}", error.incident.kind
         except SimulationDiverged as error:
             message, reason = str(error), type(error).__name__
+        except BackendLost as error:  # nothing more can be asked
+            self._stage, self._closed = None, True
+            return self._report(grounding, world, None, FAILED, str(error), type(error).__name__, (), steps)
         except MotionError as error:
             message, reason = f"the plan could not be carried out: {error}", type(error).__name__
         report = self._report(grounding, world, stage, outcome, message, reason, done, steps)
@@ -298,8 +301,9 @@ class Session:
         """The stage, ready for another goal."""
         if self._stage is None:
             self._stage = Stage(
-                scene_of(self._world), self._seed, self._planner, self._watch, self._faults, self._sensor, self._state
-            )
+                scene_of(self._world), self._seed, self._planner, self._watch, self._faults, self._sensor, self._state,
+                self._backend,
+            )  # fmt: skip
             self._stage.attend(on_progress, cancel)
         else:
             self._stage.begin(on_progress, cancel)
@@ -323,7 +327,7 @@ class Session:
             message=message,
             grounding=grounding,
             world=world,
-            final_world=world if stage is None else world_at(world, _seen(stage)),
+            final_world=world if stage is None else world_at(world, stage.look_carefully().poses),
             seed=self._seed,
             reason=reason,
             handled=() if stage is None else tuple(stage.handled),
@@ -342,8 +346,3 @@ def _home(stage: Stage, goal: Home) -> tuple[Check, ...]:
     for arm in arms:
         stage.execute(stage.plan_home(arm), "home", "")
     return tuple(at_home(arm, stage.simulator.joints(arm)) for arm in arms)
-
-
-def _seen(stage: Stage) -> Mapping[str, Pose]:
-    """The poses of everything as it is seen at the end."""
-    return {box.name: box.pose for box in stage.look_carefully().boxes}

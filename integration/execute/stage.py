@@ -5,19 +5,32 @@ from __future__ import annotations
 import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from typing import Any, Protocol
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 import motion
-from integration.contract.progress import Cancel, Cancelled, OnProgress, Progress
+from integration.contract.planning import Planner
+from integration.contract.progress import Cancel, Cancelled, OnProgress, Progress, stopped
 from integration.errors import NoPlan
 from integration.execute.checks import HELD_FOR, drifts
 from integration.execute.incidents import Incident, Trouble
 from integration.execute.monitor import Monitor
 from integration.execute.report import Handled, Step
-from motion import Fault, MotionError, Phase, PhaseRecord, Plan, RobotState, Scene, Sensor, Simulator
+from motion import (
+    Backend,
+    Fault,
+    MakeBackend,
+    MotionError,
+    Phase,
+    PhaseRecord,
+    Plan,
+    RobotState,
+    Scene,
+    Sensor,
+    Simulator,
+)
 
 Watch = Callable[[Simulator], None]
 
@@ -28,16 +41,6 @@ _SAMPLE = 10
 _FALLING, _PAUSE = 3.0, 0.3
 _FRAMES, _CAREFUL = 10, 30
 _CANCELLED, _TOLD = "cancelled", 0.1  # the latter: simulated seconds between reports of progress
-
-
-class Planner(Protocol):
-    """Anything that plans motions; the package `motion` is one."""
-
-    def plan_pick(self, scene: Scene, target: str, **options: Any) -> Plan:
-        """A plan that ends with the box in the hand."""
-
-    def plan_transport(self, scene: Scene, target: str, position: Any, **options: Any) -> tuple[Plan, ...]:
-        """Plans, one or two, that end with the box at `position` and the arms at home."""
 
 
 class Stage:
@@ -51,6 +54,7 @@ class Stage:
         faults: what shall go wrong.
         sensor: how well blocks are seen.
         state: where the robot is at the beginning; home by default.
+        backend: makes what carries plans out; a simulator by default.
 
     Attributes:
         simulator: where everything is.
@@ -70,6 +74,7 @@ class Stage:
         faults: Sequence[Fault] = (),
         sensor: Sensor | None = None,
         state: RobotState | None = None,
+        backend: MakeBackend = Simulator,
     ) -> None:
         self.begin()
         self._watch = watch
@@ -80,7 +85,7 @@ class Stage:
         self._planner: Any = motion if planner is None else planner
         self._given = scene
         with self._timed("build the scene"):
-            self.simulator = Simulator(scene, state, faults)
+            self.simulator = backend(scene, state, faults)
 
     def begin(self, on_progress: OnProgress | None = None, cancel: Cancel | None = None) -> None:
         """Begins with another goal: nothing was done for it so far.
@@ -225,19 +230,19 @@ class Stage:
             self.steps.append(Step(phase.name, time.perf_counter() - begin, record.duration))
             self.records.append(record)
             if record.left == _CANCELLED:
-                raise Cancelled(self._where(plan.arm, phase.name), phase.name)
+                raise Cancelled(stopped(self.simulator, plan.arm, phase.name), phase.name)
             found = monitor.after(phase, record, self.simulator)
             if found is not None:
                 kind, message = found.split(": ", 1)
                 raise Trouble(self.note(kind, name, message, phase.name), plan.arm)
 
     def _stoppable(
-        self, look: Callable[[Simulator], str | None], plan: Plan, phase: Phase, name: str, before: float
-    ) -> Callable[[Simulator], str | None]:
+        self, look: Callable[[Backend], str | None], plan: Plan, phase: Phase, name: str, before: float
+    ) -> Callable[[Backend], str | None]:
         """Watches a phase, tells how far it is, and heeds a wish to stop."""
         start = told = self.simulator.time
 
-        def watching(simulator: Simulator) -> str | None:
+        def watching(simulator: Backend) -> str | None:
             nonlocal told
             if self._cancel is not None and self._cancel.is_set():
                 return _CANCELLED
@@ -260,13 +265,6 @@ class Stage:
         """
         if self._cancel is not None and self._cancel.is_set():
             raise Cancelled(f"stopped before it could {step}; the arms stand still", step)
-
-    def _where(self, arm: str, phase: str) -> str:
-        """A sentence on where an arm stands and what it holds."""
-        x, y, z = self.simulator.tool_pose(arm).position
-        held = self.simulator.holding(arm)
-        holding = f" with {', '.join(held)} in its hand" if held else ""
-        return f"stopped during {phase}; the {arm} arm stands still at ({x:.3f}, {y:.3f}, {z:.3f}){holding}"
 
     def come_to_rest(self) -> None:
         """Lets what was pushed or dropped come to rest."""

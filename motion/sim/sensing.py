@@ -12,7 +12,7 @@ from motion.poses import Array, Pose, about, quaternion
 
 if TYPE_CHECKING:
     from motion.scene import Scene
-    from motion.sim.simulator import Simulator
+    from motion.sim.backend import Backend
 
 FRAME = 1 / 30
 """Seconds from one frame of the camera to the next."""
@@ -53,7 +53,7 @@ class Sensor:
             return scene
         return scene.moved({box.name: self.glimpse(box.pose, rng) for box in scene.boxes if not box.fixed})
 
-    def look(self, simulator: Simulator, rng: np.random.Generator, frames: int) -> Scene:
+    def look(self, simulator: Backend, rng: np.random.Generator, frames: int) -> Scene:
         """The mean of several frames, taken while the robot keeps still; an exact sensor needs one and no time."""
         if self.exact:
             return simulator.scene()

@@ -62,6 +62,7 @@ class Simulator:
         self._indices.write_robot(self._data, state)
         self._controller = Controller(self._indices, self._model, state, self._injector)
         self._controller.command(self._data)
+        self._stopped = False
         mujoco.mj_forward(self._model, self._data)
 
     def __enter__(self) -> Simulator:
@@ -202,6 +203,10 @@ class Simulator:
         self._check()
         return not dofs or bool(np.max(np.abs(self._data.qvel[dofs])) < _STILL)
 
+    def stop(self) -> None:
+        """Makes everything stand still at once: the arms are told to stay where they are, the phase that runs ends."""
+        self._stopped = True
+
     def run_phase(
         self,
         arm: str,
@@ -228,7 +233,8 @@ class Simulator:
         before, error, k, offset = controller.width[arm], 0.0, 0, 0
         contacts: set[Pair] = set()
         reason: str | None = None
-        while k < steps:
+        self._stopped = False
+        while k < steps and not self._stopped:
             k += 1
             controller.reference[arm] = trajectory.positions[k]
             if reason is None:

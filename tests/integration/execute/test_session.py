@@ -12,6 +12,8 @@ from integration.contract.requests import Clear, Home, Pick, Place
 from integration.errors import UsageError
 from integration.execute.checks import AT_GOAL
 from integration.execute.session import Session
+from integration.worlds_and_scenes import scene_of
+from motion import Guarded, Recorder, Simulator, replay
 
 SPOT = (0.6, -0.3, 0.736)
 
@@ -203,3 +205,30 @@ def test_a_goal_for_what_is_not_there_changes_nothing(session):
     assert (report.outcome, report.reason) == ("no_plan", "InvalidGoal")
     assert "b99" in report.message
     assert off(session, world) < 1e-3
+
+
+def test_a_session_runs_on_another_backend_and_loses_it_with_a_sentence(grounder, tmp_path):
+    def recorded(scene, state, faults):
+        return Recorder(Simulator(scene, state, faults), tmp_path / "run.jsonl")
+
+    with Session(scene("four"), grounder, backend=recorded) as session:
+        assert session.do(Place("b1", SPOT)).outcome == "done"
+        there = session.world["b1"].position
+    with Simulator(scene_of(scene("four"))) as simulator:
+        replay(tmp_path / "run.jsonl", simulator)
+        assert np.linalg.norm(simulator.pose("b1").position - there) < 1e-6
+
+
+class Deaf(Simulator):
+    def run_phase(self, *_, **__):
+        threading.Event().wait(3)
+
+
+def test_a_backend_that_is_lost_ends_the_goal(grounder):
+    def deaf(scene, state, faults):
+        return Guarded(Deaf(scene, state, faults), patience=0.3)
+
+    with Session(scene("four"), grounder, backend=deaf) as session:
+        report = session.do(Pick("b1"))
+        assert (report.outcome, report.reason) == ("failed", "BackendLost")
+        assert "did not answer" in report.message
