@@ -35,6 +35,7 @@ _SEEING = r"(?:(?:do|can|could) you (?:see|have|find)|does (?:the )?(?:table|wor
 _ON = r"(?:(?:standing|sitting|lying|resting|stacked|placed)\s+)?(?:on|upon|on top of)"
 _THERE = r"(?:\s+(?:are there|is there|do you see|can you see|do you have))?"
 _HERE = r"(?:\s+(?:here|there|on the table|in total))*"
+_GOING_ON = re.compile(r"[?.!;]\s*(?=[^\W\d_]{2})(?!(?:please|thanks|thank you|robot|baxter)\b)", re.IGNORECASE)
 _FORMS: tuple[tuple[str, str], ...] = (
     ("count", rf"how many (?P<what>(?:(?!{_BE} there)\S+ )+?)(?P<be>{_BE}) (?!there)(?P<how>.+)"),
     ("count", rf"how many (?P<what>.+?){_THERE}{_HERE}"),
@@ -71,6 +72,8 @@ def inquiry_of(text: str) -> Inquiry | None:
     Args:
         text: of a person.
     """
+    if _GOING_ON.search(text):
+        return None  # "do you see the tower? take its top": a question that only introduces what is spoken of
     plain = re.sub(r"\s+", " ", text.strip().lower().replace("\u2019", "'")).rstrip(" ?.!")
     plain = re.sub(r"\b(what|where|which|who)'s\b", r"\1 is", re.sub(_OPENING, "", plain))
     for kind, form in _FORMS:

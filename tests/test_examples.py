@@ -15,6 +15,7 @@ EXPECTED = {
     "pick": "Done: b3 is in the right hand",
     "place": "done - ",
     "ground_only": "grounded pick ",
+    "ros_bridge": "b1 is in the left hand",
     "session": "undone: b1 is where it should be",
     "kinematics": "joint limit: left_e1",
 }

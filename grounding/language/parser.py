@@ -20,6 +20,7 @@ from grounding.language.grammar import Grammar
 from grounding.language.kindred import kindred
 from grounding.language.lexicon import known_words, meanings
 from grounding.language.possessives import unfold
+from grounding.language.repairs import without_slips
 from grounding.language.rewriting import rewrite
 from grounding.language.rules import Rules
 from grounding.language.sentences import part_commands
@@ -123,7 +124,8 @@ class Parser:
             return self._parsed(text, k)
 
     def _parsed(self, text: str, k: int) -> tuple[Parse, ...]:
-        sentences = part_commands(rewrite(without_fillers(tokenize(text)), self._is_known), self._is_verb)
+        said = without_slips(without_fillers(tokenize(text)))
+        sentences = part_commands(rewrite(said, self._is_known), self._is_verb)
         if not sentences:
             raise LanguageError(f"expected an instruction and found a text without words: {text[:40]!r}")
         roots, whole, count = [], True, 0

@@ -176,7 +176,7 @@ def containers(word: str) -> tuple[str, ...]:
 def members(word: str) -> int | None:
     """How many members an arrangement has by its name: two of a "pair"."""
     value = vocabulary().value("members", word)
-    return None if value is None else {"two": 2, "three": 3}[value]
+    return None if value is None else {"two": 2, "three": 3, "four": 4}[value]
 
 
 def is_table(word: str) -> bool:

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import MutableMapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping, MutableMapping, Sequence
+from dataclasses import dataclass, field
 
 import numpy as np
 
@@ -16,7 +16,7 @@ from grounding.meaning.discourse.told import Told
 from grounding.meaning.nouns import is_measuring, read_noun
 from grounding.meaning.reader import Reader
 from grounding.meaning.referents import OBJECTS, SETS
-from grounding.model.cases import Case, Weights
+from grounding.model.cases import Case, Weights, doubts_of
 from grounding.model.evaluator import EVEN, Evaluator
 from grounding.model.features import BINS, logarithm
 from grounding.model.surroundings import context_in
@@ -44,6 +44,7 @@ class Reading:
         told: what it tells.
         cases: that its target may be.
         nothing: the case that nothing is what it means.
+        doubts: what makes it likelier that the text is misheard, by the names in `DOUBTS`.
     """
 
     place: int
@@ -51,6 +52,7 @@ class Reading:
     told: Told
     cases: tuple[Case, ...]
     nothing: Case
+    doubts: Mapping[str, float] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -158,6 +160,7 @@ def read(
     known = {} if known is None else known
     evaluators: dict[str, Evaluator] = {}
     context = context_in(scene, handled)
+    doubts = doubts_of(len(parses[0].tree.leaves), len(parses[0].unknown_words)) if parses else {}
     found = []
     for place, parse in enumerate(parses):
         if parse.probability < NEGLIGIBLE * parses[0].probability:
@@ -189,7 +192,7 @@ def read(
             nothing.note("nothing.several" if told.target.sort == SETS else "nothing.one")
             for case in cases:
                 _fit(case)
-            found.append(Reading(place, evaluator, told, tuple(cases), nothing))
+            found.append(Reading(place, evaluator, told, tuple(cases), nothing, doubts))
     return tuple(found)
 
 
@@ -287,7 +290,7 @@ def believe(readings: Sequence[Reading], weights: Weights) -> Belief:
         worth.append(total)
     whole = sum(shares.values())
     order = sorted(range(len(readings)), key=lambda i: -worth[i])
-    misheard = weights.misheard
+    misheard = weights.mishearing(readings[0].doubts)
     told = {names: (1 - misheard) * share / whole + misheard / len(shares) for names, share in shares.items()}
     options = sorted(told.items(), key=lambda item: (-item[1], item[0]))
     ranked = {names: tuple(sorted(of.items(), key=lambda item: (-item[1], item[0]))) for names, of in kinds.items()}

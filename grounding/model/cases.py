@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
@@ -13,6 +14,9 @@ from grounding.world import Array
 
 MISHEARD = "misheard"
 """The name under which weights keep the log-odds that a text means something else than what was read of it."""
+LONG, UNKNOWN = DOUBTS = ("misheard.long", "misheard.unknown")
+"""What raises these odds: doublings of a text's length beyond `SHORT` words, and words that nobody knows."""
+SHORT = 10
 
 
 class Weights(dict[str, float]):
@@ -29,8 +33,29 @@ class Weights(dict[str, float]):
 
     @property
     def misheard(self) -> float:
-        """How often a text means something else than what was read of it, so that any option is as likely."""
-        return 1.0 / (1.0 + math.exp(-self[MISHEARD])) if MISHEARD in self else 0.0
+        """How often a short text means something else than what was read of it, so that any option is as likely."""
+        return self.mishearing({})
+
+    def mishearing(self, doubts: Mapping[str, float]) -> float:
+        """How often a text means something else than what was read of it.
+
+        Args:
+            doubts: what makes that likelier, by the names in `DOUBTS`.
+        """
+        if MISHEARD not in self:
+            return 0.0
+        odds = self[MISHEARD] + sum(dict.get(self, name, 0.0) * amount for name, amount in doubts.items())
+        return 1.0 / (1.0 + math.exp(-odds))
+
+
+def doubts_of(words: int, unknown: int) -> Mapping[str, float]:
+    """What makes it likelier that a text is misheard.
+
+    Args:
+        words: of the text.
+        unknown: how many of them nobody knows.
+    """
+    return {LONG: max(math.log2(max(words, 1) / SHORT), 0.0), UNKNOWN: float(unknown)}
 
 
 def equal(name: str) -> float:

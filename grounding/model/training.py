@@ -12,7 +12,7 @@ from scipy.optimize import minimize
 
 from grounding.lexicon.parameters import value
 from grounding.model.belief import Objects, Reading, rows_of
-from grounding.model.cases import MISHEARD, Case, Weights
+from grounding.model.cases import DOUBTS, MISHEARD, Case, Weights
 from grounding.world import Array
 
 ROUNDS = 200
@@ -49,6 +49,7 @@ class Problem:
         texts: number of texts.
         weights: of the texts.
         options: how many things each text may mean.
+        doubts: one, and what makes it likelier that a text is misheard, shape (texts, 1 + number of `DOUBTS`).
         lost: how many texts were left out, as no reading finds what they mean.
     """
 
@@ -61,6 +62,7 @@ class Problem:
     texts: int
     weights: Array
     options: Array
+    doubts: Array
     lost: int
 
 
@@ -82,6 +84,7 @@ class _Builder:
         self.shares: list[float] = []
         self.weights: list[float] = []
         self.options: list[int] = []
+        self.doubts: list[list[float]] = []
         self.count = 0
         self.lost = 0
 
@@ -95,6 +98,8 @@ class _Builder:
         number = len(self.weights)
         self.weights.append(example.weight)
         self.options.append(len(present))
+        doubts = example.readings[0].doubts
+        self.doubts.append([1.0, *(doubts.get(name, 0.0) for name in DOUBTS)])
         groups = {names: len(self.groups) + place for place, names in enumerate(found)}
         self.groups += [number] * len(found)
         self.shares += [1.0 / len(found)] * len(found)
@@ -145,7 +150,7 @@ class _Builder:
         matrix = sparse.csr_matrix((data, indices, indptr), shape=(self.count, len(self.index)))
         return Problem(tuple(self.index), matrix, np.array(self.text), np.array(self.gold), np.array(self.shares),
                        np.array(self.groups), len(self.weights), np.array(self.weights),
-                       np.array(self.options, dtype=float), self.lost)  # fmt: skip
+                       np.array(self.options, dtype=float), np.array(self.doubts), self.lost)  # fmt: skip
 
 
 def train(
@@ -163,7 +168,7 @@ def train(
         penalty: its strength.
         progress: told the round and the loss.
     """
-    start = np.array([*(prior.get(name) for name in problem.names), SELDOM])
+    start = np.array([*(prior.get(name) for name in problem.names), SELDOM, *(0.0 for _ in DOUBTS)])
     rounds = 0
 
     def loss(w: Array) -> tuple[float, Array]:
@@ -177,11 +182,12 @@ def train(
         if progress is not None:
             progress(rounds, 0.0)
 
-    bounds = [*(bound(name) for name in problem.names), (None, 0.0)]
+    bounds = [*(bound(name) for name in problem.names), (None, 0.0), *((0.0, None) for _ in DOUBTS)]
     found = minimize(
         loss, start, jac=True, method="L-BFGS-B", bounds=bounds, callback=tell, options={"maxiter": ROUNDS}
     )
-    return Weights({name: float(value) for name, value in zip((*problem.names, MISHEARD), found.x, strict=True)})
+    names = (*problem.names, MISHEARD, *DOUBTS)
+    return Weights({name: float(value) for name, value in zip(names, found.x, strict=True)})
 
 
 def bound(name: str) -> tuple[float | None, float | None]:
@@ -196,9 +202,10 @@ def bound(name: str) -> tuple[float | None, float | None]:
 
 
 def _likelihood(problem: Problem, w: Array) -> tuple[float, Array]:
-    """Negative log likelihood of what the texts mean, and its gradient; the last of w is for what was misheard."""
-    misheard = 1.0 / (1.0 + np.exp(-w[-1]))
-    scores = problem.rows @ w[:-1]
+    """Negative log likelihood of what the texts mean, and its gradient; the last of w are for what was misheard."""
+    odds = len(problem.names)
+    misheard = (1.0 / (1.0 + np.exp(-(problem.doubts @ w[odds:]))))[problem.groups]
+    scores = problem.rows @ w[:odds]
     most = np.full(problem.texts, -np.inf)
     np.maximum.at(most, problem.text, scores)
     raised = np.exp(scores - most[problem.text])
@@ -212,8 +219,9 @@ def _likelihood(problem: Problem, w: Array) -> tuple[float, Array]:
     told = importance * (1.0 - misheard) * heard / likely  # how much each text has to say of the weights
     pull = (np.bincount(problem.groups, told, minlength=problem.texts) / whole)[problem.text] * raised
     np.subtract.at(pull, row, told[group] * raised[row] / np.maximum(meant[group], 1e-300))
-    doubt = -float(importance @ ((by_chance - heard) / likely)) * misheard * (1.0 - misheard)
-    return value, np.append(np.asarray(problem.rows.T @ pull), doubt)
+    turn = importance * ((heard - by_chance) / likely) * misheard * (1.0 - misheard)
+    doubt = turn @ problem.doubts[problem.groups]
+    return value, np.concatenate([np.asarray(problem.rows.T @ pull), doubt])
 
 
 

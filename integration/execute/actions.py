@@ -109,7 +109,10 @@ def _pick(stage: Stage, objects: Sequence[str], arm: str) -> tuple[Check, ...]:
             found = _lifted(stage, before, objects)
         return found
 
-    if not keep_trying(stage, objects[0], attempt, check, arm):
+    def follow(scene: Scene, start: RobotState) -> object:
+        return _plan_picks(stage, objects, arm, scene, start)
+
+    if not keep_trying(stage, objects[0], attempt, check, arm, follow=follow):
         found = _lifted(stage, before, objects)
     return found
 

@@ -67,7 +67,10 @@ class Laying:
             after, doubt = self._stage.look_carefully(), self._stage.doubt
             return (checks.at_goal(after, name, self.goals[name], doubt=doubt),)
 
-        done = keep_trying(self._stage, name, attempt, check, self._arm, room=True)
+        def follow(scene: Scene, start: RobotState) -> object:
+            return self._plan(name, spots, self._arm, scene, start)
+
+        done = keep_trying(self._stage, name, attempt, check, self._arm, follow=follow, room=True)
         self._given_up |= not done
         return done
 

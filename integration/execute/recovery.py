@@ -11,9 +11,12 @@ from integration.execute.checks import UNMOVED, Check, drifts
 from integration.execute.incidents import Trouble
 from integration.execute.setting_aside import beside, out_of_the_way, region_of
 from integration.execute.stage import Stage
-from motion import MotionError, Scene
+from motion import MotionError, RobotState, Scene
 from motion.plan.goals import heading
 from motion.robot.state import ARMS
+
+Follow = Callable[[Scene, RobotState], object]
+"""Plans what is to be done once nothing is in the way any more; raises `NoPlan` if that cannot be."""
 
 TRIES = 4
 """Number of attempts at an object."""
@@ -22,6 +25,8 @@ _STUCK = 2
 _SPOTS = 12
 _APART = 0.07  # spots that are tried after one another are at least so far apart, in [m]
 _RESTORED = 3
+_ASIDE = 3
+"""So many blocks are set aside for one, at most."""
 
 
 def keep_trying(
@@ -31,6 +36,7 @@ def keep_trying(
     check: Callable[[], tuple[Check, ...]],
     arm: str,
     *,
+    follow: Follow | None = None,
     room: bool = False,
 ) -> bool:
     """Attempts something until the checks pass, at most `TRIES` times; each attempt begins with what is seen then.
@@ -41,6 +47,7 @@ def keep_trying(
         attempt: plans and carries out, by the arm that it is given.
         check: what has to be seen afterwards.
         arm: "left", "right" or "auto".
+        follow: plans what is to be done once nothing is in its way any more; raises `NoPlan` if that cannot be.
         room: whether what keeps the hand from the object after a trouble may be set aside: it has to be put back.
 
     Returns:
@@ -63,12 +70,14 @@ def keep_trying(
                 if stuck.count(trouble.arm) == _STUCK:
                     _withdraw(stage, trouble.arm)
         except NoPlan as refusal:
-            if count == 0:
-                raise
+            first = count == 0
             try:
-                roomy = room and count + 1 < TRIES and make_room(stage, name, refusal)
+                helps = follow if first else None
+                roomy = count + 1 < TRIES and (room or first) and make_room(stage, name, refusal, helps, back=room)
             except Trouble:
                 roomy = True  # something has moved; it is looked at anew
+            if not roomy and first:
+                raise
             if not roomy:
                 stage.note("plan", name, f"there is no plan to go on with {name}: {refusal}")
                 break
@@ -143,30 +152,67 @@ def remove_leaning(stage: Stage, name: str) -> None:
             raise NoPlan(f"{other} leans on {name}, and there is no plan to move it first", (name, other), "leaning")
 
 
-def make_room(stage: Stage, name: str, refusal: NoPlan) -> bool:
-    """Sets aside, until the end, the block that keeps the hand from an object; False where that is not what does.
+def make_room(stage: Stage, name: str, refusal: NoPlan, follow: Follow | None = None, *, back: bool = True) -> bool:
+    """Sets aside what keeps the hand from an object; False where that cannot be done or does not help.
 
     Only with both hands empty and at home: an arm that is stuck between blocks is not where it is taken to be.
 
     Args:
         stage: where it is done.
-        name: the object, which fell or was pushed to where it is.
+        name: the object.
         refusal: why there is no plan for it.
+        follow: plans what is to be done then; where that cannot be, nothing is moved.
+        back: whether it is put back at the end; beside a hand that goes on holding there is no way to.
 
     Raises:
         Trouble: something was not as planned.
     """
-    bodies = getattr(refusal.__cause__, "bodies", None) or ()
-    loose = {box.name for box in stage.scene.boxes if not box.fixed} - {name}
-    for other in sorted(loose.intersection(bodies)):
-        if stage.simulator.state().held or not all(_withdraw(stage, arm) for arm in ARMS):
+    if not _in_the_way(stage, name, refusal):
+        return False
+    if stage.simulator.state().held or not all(_withdraw(stage, arm) for arm in ARMS):
+        return False
+    aside = _asides(stage, name, refusal, follow)
+    for other, spot in aside:
+        stage.note("hemmed", other, f"{other} was in the way of {name} and was set aside" + " until the end" * back)
+        if not back:
+            stage.moved.add(other)
+        if not put_at_first(stage, "clear", other, spot[None], "auto"):
             return False
-        scene = stage.scene
-        spots = out_of_the_way(scene, other, region_of(scene, [name, other]))
-        if put_at_first(stage, "clear", other, spots, "auto"):
-            stage.note("hemmed", other, f"{other} was in the way of {name} and was set aside until the end")
-            return True
-    return False
+    return bool(aside)
+
+
+def _in_the_way(stage: Stage, name: str, refusal: NoPlan) -> list[str]:
+    """Names of the blocks besides the object that are why there is no plan for it."""
+    bodies = getattr(refusal.__cause__, "bodies", None) or ()
+    return sorted({box.name for box in stage.scene.boxes if not box.fixed and box.name != name}.intersection(bodies))
+
+
+def _asides(stage: Stage, name: str, refusal: NoPlan, follow: Follow | None) -> list[tuple[str, np.ndarray]]:
+    """Blocks to be set aside, in order, each with its place, (3,) in [m], so that what follows can be done then."""
+    scene, start = stage.scene, stage.simulator.state()
+    found: list[tuple[str, np.ndarray]] = []
+    for _ in range(_ASIDE):
+        others = [other for other in _in_the_way(stage, name, refusal) if other not in dict(found)]
+        for other in others:
+            spots = spread(out_of_the_way(scene, other, region_of(scene, [name, *others])))
+            try:
+                plans = stage.plan_transport(other, spots, "auto", scene=scene, start=start) if len(spots) else ()
+            except NoPlan:
+                continue
+            if plans and plans[-1].goal is not None:
+                found.append((other, plans[-1].goal.position))
+                scene, start = scene.moved({other: plans[-1].goal}), plans[-1].end
+                break
+        else:
+            return []
+        try:
+            if follow is not None:
+                follow(scene, start)
+        except NoPlan as error:
+            refusal = error
+        else:
+            return found
+    return []
 
 
 def put_back(stage: Stage, before: Scene, handled: Collection[str]) -> bool:

@@ -2,16 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 
 from numpy.typing import ArrayLike
 
 from integration.errors import NoPlan
+from integration.execute.recovery import Follow
 from integration.execute.stage import Stage
-from motion import RobotState, Scene, stacked_on
-
-Follow = Callable[[Scene, RobotState], object]
-"""Plans what is to be done once nothing stands on the object any more; raises `NoPlan` if that cannot be."""
+from motion import stacked_on
 
 _MORE = 2
 """Number of steps beyond the number of blocks, in case one falls back."""

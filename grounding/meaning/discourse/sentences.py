@@ -123,12 +123,17 @@ def _looks_at_object(sentence: Sentence, reader: Reader, told: Told) -> bool:
 
 
 def _lists(sentence: Sentence, reader: Reader, told: Told) -> bool:
-    """For example "that corner holds two cubes": they are spoken of, and nothing is told of them yet."""
+    """For example "that corner holds two cubes", "the row has a red block at its left end": they are spoken of."""
     if not (sentence.has(_HAVING) and sentence.named and sentence.nouns) or told.target is not None:
         return False
     whole, new = sentence.named[0], sentence.nouns[0]
-    if whole.head not in ("container", "place") or new.head != "block" or not new.plural:
+    if whole.head not in ("container", "place") or new.head != "block":
         return False
+    if not new.plural and (new.definite or whole.head != "container"):
+        return False
+    if whole.head == "container":
+        mention(whole, reader, told)  # what is "its" within the clause
+        new = with_further(new, *sentence.parts.rest)
     where = Phrase("PP", (Word("in" if whole.head == "container" else "at", "IN", 0), sentence.parts.named[0]))
     mention(with_further(new, where), reader, told)
     return True

@@ -17,7 +17,9 @@ def problem_of(rows, text, gold, groups, shares, weights):
     """Candidates of texts; each text has as many options as rows."""
     options = np.bincount(text).astype(float)
     names = tuple(f"f{i}" for i in range(rows.shape[1]))
-    return Problem(names, sparse.csr_matrix(rows), text, gold, shares, groups, len(options), weights, options, 0)
+    doubts = np.column_stack([np.ones(len(options)), np.arange(len(options)) % 3, np.arange(len(options)) % 2])
+    matrix = sparse.csr_matrix(rows)
+    return Problem(names, matrix, text, gold, shares, groups, len(options), weights, options, doubts, 0)
 
 
 @given(st.integers(0, 200))
@@ -27,8 +29,8 @@ def test_the_gradient_is_that_of_the_likelihood(seed):
         rng.normal(size=(12, 4)), np.repeat([0, 1, 2], 4), np.array([(0, 0), (1, 0), (5, 1), (6, 2), (9, 3)]),
         np.array([0, 1, 1, 2]), np.array([1, 0.5, 0.5, 1]), np.array([1.0, 2.0, 3.0]),
     )  # fmt: skip
-    at = rng.normal(size=5)
-    step = 1e-6 * np.eye(5)
+    at = rng.normal(size=7)
+    step = 1e-6 * np.eye(7)
     numeric = [(_likelihood(problem, at + d)[0] - _likelihood(problem, at - d)[0]) / 2e-6 for d in step]
     np.testing.assert_allclose(_likelihood(problem, at)[1], numeric, rtol=1e-4, atol=1e-5)
 

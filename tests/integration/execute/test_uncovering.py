@@ -3,7 +3,7 @@ import pytest
 from by_hand import grounded, scene
 
 from grounding import Destination
-from grounding.world import make_object
+from grounding.world import World, make_object
 from integration.execute.executor import Executor
 from motion import Slip
 
@@ -61,3 +61,37 @@ def test_a_block_that_slips_while_it_is_set_aside_is_told_and_does_not_stop_the_
     report = Executor(faults=[Slip("transfer", 0.4)]).execute(grounded("pick", "b2"), scene("tower"))
     assert report.outcome == "done"
     assert "slipped" in [incident.kind for incident in report.incidents]
+
+
+def hemmed_in(pitch):
+    table = make_object("table", "table", "white", (0.65, 0.0, 0.691), size=(0.7, 1.8, 0.04))
+    around = {"n": (1, 0), "s": (-1, 0), "w": (0, 1), "e": (0, -1)}
+    beside = [
+        make_object(name, color="blue", position=(0.6 + pitch * x, -0.3 + pitch * y, 0.736))
+        for name, (x, y) in around.items()
+    ]
+    return World((table, make_object("b", color="red", position=(0.6, -0.3, 0.736)), *beside))
+
+
+@pytest.mark.parametrize("pitch", [0.054, 0.062])
+def test_what_is_hemmed_in_is_freed_and_its_neighbours_are_put_back(pitch):
+    world = hemmed_in(pitch)
+    report = Executor().execute(grounded("place", "b", to=FREE), world)
+    assert report.outcome == "done"
+    assert {incident.kind for incident in report.incidents} >= {"hemmed", "bystander"}
+    for name in ("n", "s", "w", "e"):
+        assert np.linalg.norm(report.truth[name].position - world[name].position) < 0.005
+
+
+def test_for_a_pick_neighbours_are_set_aside_and_that_is_said():
+    report = Executor().execute(grounded("pick", "b"), hemmed_in(0.057))
+    assert report.outcome == "done"
+    assert "was in the way of b and was set aside" in report.message
+
+
+def test_where_freeing_does_not_help_nothing_moves():
+    world = hemmed_in(0.054)
+    far = Destination((1.6, 0.0, 0.736))
+    report = Executor().execute(grounded("place", "b", to=far), world)
+    assert report.outcome == "no_plan"
+    assert all(np.linalg.norm(report.truth[item.id].position - item.position) < 0.005 for item in world.things)
