@@ -31,7 +31,7 @@ EQUAL = Learned(Weights({**EVEN, "nothing": -3.0, "spread": 1.0, "literal": 1.0,
 ALONE = ("literal",)
 """Readers that are left out while weights for what is spoken of on the way are learned."""
 PENALTY = 100.0
-HANDS = 10.0
+HANDS = 20.0
 """Free texts count so many times more than others: they are few, and more like what people write."""
 ROUNDS = 1
 
