@@ -64,3 +64,20 @@ def test_a_question_about_what_nobody_knows_is_not_understood():
     result = grounder().ground("how many wugs are there", WORLD)
     assert result.outcome == "not_understood"
     assert "wugs" in result.explanation
+
+
+@pytest.mark.parametrize(
+    "text",
+    ["Do you see the two blues that touch? Take the one on my side.",
+     "is there a tower on the left? lift its top block", "Can you see a red block? It is the one I want."],
+)  # fmt: skip
+def test_a_question_that_only_introduces_is_none(text):
+    assert inquiry_of(text) is None
+
+
+ALONE = ["is there a block at 0.5 m?", "Is there a red block? Thanks!", "how many blocks are there?!"]
+
+
+@pytest.mark.parametrize("text", ALONE)
+def test_a_question_by_itself_is_one(text):
+    assert inquiry_of(text) is not None

@@ -5,6 +5,7 @@ from __future__ import annotations
 from grounding.language.tree import Phrase, Word
 from grounding.lexicon import words as w
 from grounding.meaning.discourse.verbs import GAINING, LOOKING, LOSING, PARTING
+from grounding.meaning.nouns import read_words
 
 _PARTICLES = frozenset(("'s",))
 _ONLY = frozenset("just only simply".split())
@@ -28,6 +29,8 @@ def mended(phrase: Phrase) -> Phrase:
         return Phrase("VP", children)
     if phrase.tag == "PP":
         children = _ranking(children)
+    if phrase.tag in ("NP", "VP"):
+        children = _denied(children)
     if len(children) == len(phrase.children) and all(a is b for a, b in zip(children, phrase.children, strict=True)):
         return phrase
     return Phrase(phrase.tag, children)
@@ -113,6 +116,35 @@ def _ranking(children: Children) -> Children:
     if not (plain and w.is_ranking(rank.text) and w.distance(rank.text) and isinstance(children[1], Word)):
         return children
     return (rank, *children[1:])
+
+
+def _denied(children: Children) -> Children:
+    """For example "(the block that is (not red)) (or blue)": what is denied further, which was read as a relation."""
+    found: list[Phrase | Word] = []
+    for child in children:
+        before = found[-1] if found else None
+        whole = None
+        if isinstance(child, Phrase) and isinstance(before, Phrase) and child.leaves[0].text == "or":
+            rest = child.leaves[1:]
+            if len(rest) == 1 and read_words(rest).colors:
+                whole = _with_denied(before, child.leaves)
+        if whole is None:
+            found.append(child)
+        else:
+            found[-1] = whole
+    return tuple(found)
+
+
+def _with_denied(phrase: Phrase, further: tuple[Word, ...]) -> Phrase | None:
+    """A phrase that ends in a denial, with more words in that; None where it does not."""
+    last = phrase.children[-1] if phrase.children else None
+    if isinstance(last, Phrase):
+        deeper = _with_denied(last, further)
+        return None if deeper is None else Phrase(phrase.tag, (*phrase.children[:-1], deeper))
+    first = phrase.children[0] if phrase.children else None
+    if phrase.phrases or not isinstance(first, Word) or not w.is_negation(first.text):
+        return None
+    return Phrase("PP", (first, Phrase("NP", (*phrase.words[1:], *further))))
 
 
 def _chosen(children: Children) -> Children:

@@ -101,3 +101,14 @@ def test_a_set_that_is_named_first_is_chosen_from(text):
     assert "middle" in found
     assert any(line.startswith(("those of", "same as")) for line in found)
     assert told(text).target.sort == "objects"
+
+
+def test_what_an_arrangement_has_is_its_own_and_its_end_is_the_arrangement_s():
+    text = "the far row has a red block at its left end. pick it up"
+    assert any(line.startswith("member of") for line in conditions(text))
+    assert any(line.endswith("part left edge of x5") or "part left edge of" in line for line in lines(text))
+
+
+@pytest.mark.parametrize("denial", ["neither red nor blue", "not red or blue"])
+def test_several_colours_are_denied_together(denial):
+    assert "not colour red blue" in conditions(f"pick up the block that is {denial}")

@@ -9,7 +9,7 @@ from scipy import sparse
 
 from grounding import World
 from grounding.model.belief import believe
-from grounding.model.cases import MISHEARD, Weights
+from grounding.model.cases import LONG, MISHEARD, UNKNOWN, Weights, doubts_of
 from grounding.model.training import Problem, _likelihood, train
 
 
@@ -71,3 +71,12 @@ def test_what_is_misheard_is_shared_among_all_options(odds):
     assert min(share for _, share in belief.options) >= misheard / len(belief.options) - 1e-12
     best = dict(sure.options)[("a",)]
     assert belief.probability(("a",)) == pytest.approx((1 - misheard) * best + misheard / len(belief.options))
+
+
+def test_long_texts_and_unknown_words_make_mishearing_likelier():
+    weights = Weights({MISHEARD: -2.0, LONG: 0.5, UNKNOWN: 0.3})
+    chances = [weights.mishearing(doubts_of(words, 0)) for words in (1, 10, 20, 40)]
+    assert chances[0] == chances[1] == weights.misheard
+    assert chances[1] < chances[2] < chances[3] < 1
+    assert weights.mishearing(doubts_of(5, 2)) > weights.misheard
+    assert Weights().mishearing(doubts_of(40, 3)) == 0.0
