@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from motion.errors import InvalidScene
 from motion.physics_engine import mujoco
 from motion.poses import Array, Pose
 from motion.robot.build import robot_spec
@@ -134,6 +135,10 @@ class _Key:
 def _compiled(keys: tuple[_Key, ...], visuals: bool) -> SceneModel:
     boxes = [key.box for key in keys]
     spec = robot_spec(load_robot().folder, recipe(), visuals)
+    taken = {"floor", "world", *(body.name for body in spec.bodies)}
+    for box in boxes:
+        if box.name in taken:
+            raise InvalidScene(f"a box cannot be named {box.name!r}: the floor or a link of the robot has that name")
     contact = recipe().contact
     spec.option.timestep = contact["timestep"]
     spec.option.cone = mujoco.mjtCone.mjCONE_ELLIPTIC

@@ -73,3 +73,9 @@ def test_hulls_contain_their_points():
     assert all(contains(outline, centre + 0.999 * (point - centre)) for point in points)
     assert not contains(outline, points.max(axis=0) + 0.1)
     assert not contains(outline, outline[0], margin=0.01)
+
+
+@pytest.mark.parametrize("name", ["floor", "torso", "left_gripper_base"])
+def test_names_of_the_robot_are_refused(name):
+    with pytest.raises(InvalidScene, match=name):
+        scene_model(Scene((TABLE, block(name, 0.6, -0.3))))
