@@ -75,7 +75,7 @@ def test_hulls_contain_their_points():
     assert not contains(outline, outline[0], margin=0.01)
 
 
-@pytest.mark.parametrize("name", ["floor", "torso", "left_gripper_base"])
+@pytest.mark.parametrize("name", ["floor", "torso", "left_gripper"])
 def test_names_of_the_robot_are_refused(name):
     with pytest.raises(InvalidScene, match=name):
         scene_model(Scene((TABLE, block(name, 0.6, -0.3))))
