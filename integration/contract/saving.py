@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import json
 import os
 from collections.abc import Mapping
@@ -56,6 +57,8 @@ def write_session(path: Path, saved: Saved) -> None:
         "seed": saved.seed,
         "before": [{"world": world_to_json(world), "held": dict(held)} for world, held in saved.before],
     }
+    if not path.parent.is_dir():
+        raise FileNotFoundError(errno.ENOENT, "there is no such folder", str(path.parent))
     part = path.with_name(f".{path.name}.{os.getpid()}.part")
     try:
         part.write_text(json.dumps(data), encoding="utf-8")

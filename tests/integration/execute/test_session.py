@@ -181,6 +181,11 @@ def test_a_damaged_session_is_refused_by_name(session, tmp_path, damage, told):
     assert str(path) in str(caught.value)
 
 
+def test_a_folder_that_is_not_there_is_named(session, tmp_path):
+    with pytest.raises(FileNotFoundError, match="no such folder"):
+        session.save(tmp_path / "nowhere" / "session.json")
+
+
 def test_a_closed_session_is_refused(grounder):
     session = Session(scene("four"), grounder)
     session.close()
