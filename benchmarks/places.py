@@ -3,8 +3,8 @@
     python benchmarks/places.py --count 60 --seed 0
 
 Of the shipped scenes, twelve ordered pairs of the nearest, farthest, leftmost and rightmost block, and five relations,
-so many instructions are drawn and run. Who is right is judged by where everything really ended. With `--exhaustive`, what
-was understood and not done is tried once more by a search: every centimetre around B that fits the relation, eight
+so many instructions are drawn and run. Who is right is judged by where everything really ended. With `--exhaustive`,
+what was understood and not done is tried once more by a search: every centimetre around B that fits the relation, eight
 headings, either hand; what that finds was possible.
 """
 
