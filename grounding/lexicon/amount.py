@@ -59,6 +59,11 @@ def stepped(xy: Array, edge: float, starts: Sequence[Start], ways: Sequence[tupl
     return total
 
 
+def in_blocks(length: float, edge: float) -> float:
+    """A length [m] in blocks that lie side by side, each with an edge [m]."""
+    return length / _pitch(edge)
+
+
 def along_lane(xy: Array, start: Array, way: Array, edge: float) -> Array:
     """How well points lie in a narrow lane that begins somewhere, shape (m,)."""
     ahead, side = (xy - start) @ way, np.abs((xy - start) @ np.array([-way[1], way[0]]))

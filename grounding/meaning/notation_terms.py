@@ -30,7 +30,7 @@ PREPOSITIONS = {
 NAME = re.compile(r"x[1-9][0-9]*")
 
 PEOPLE = ("robot", "speaker")
-FLAGS = {"strict": "strictly", "nearly": "nearly", "counting": "counted"}
+FLAGS = {"strict": "strictly", "nearly": "nearly", "counting": "counted", "metric": "metres"}
 """Fields of conditions that hold or do not."""
 REFERENT_FLAGS = {"plural": "plural", "universal": "all", "only": "only", "like": "alike", "crossing": "crossing"}
 """Fields of referents that hold or do not."""

@@ -81,6 +81,8 @@ def _measured(evaluator: Evaluates, condition: Condition, base: Array) -> Held:
     names = flat(condition.words)
     way = np.sum([scene.direction(name, condition.owner or evaluator.view) for name in names] or [np.zeros(2)], axis=0)
     steps = condition.number or 1.0
+    if condition.metric:
+        steps = amount.in_blocks(steps, scene.edge)
     found = starts(evaluator, reference)
     return plain(amount.measured(scene.xy, scene.edge, found, way, steps, counting=condition.counting))
 

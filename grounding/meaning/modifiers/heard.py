@@ -8,6 +8,8 @@ from grounding.language.lexicon import meanings
 from grounding.language.tree import Phrase, Word
 from grounding.lexicon import words as w
 from grounding.lexicon.vocabulary import vocabulary
+from grounding.lexicon.whereto import metres
+from grounding.meaning.goal.lengths import Metres, number
 from grounding.meaning.nouns import Noun, read_noun, read_words
 from grounding.symbols import Cardinal
 
@@ -25,7 +27,7 @@ class Heard:
         nested: a phrase within that says all, where its own words say nothing.
         child: the noun phrase to which it relates, or None.
         noun: the same, read.
-        measure: how many blocks away, or None.
+        measure: how many blocks away, or how far in `Metres`, or None.
         counting: whether blocks are counted and not lengths.
         strict: whether its words narrow a direction.
     """
@@ -98,8 +100,12 @@ def _without_emphasis(words: tuple[Word, ...]) -> tuple[Word, ...]:
 
 
 def _measure(phrase: Phrase) -> float | None:
-    """How many blocks a noun phrase measures: "two spaces", "half a block", "one"; None where it measures nothing."""
+    """How far a noun phrase measures, in blocks or metres: "two spaces", "10 cm"; None where it measures nothing."""
     texts = [leaf.text for leaf in phrase.leaves]
+    unit = metres(texts[-1])
+    if unit is not None:
+        counts = [found for text in texts[:-1] if (found := number(text)) is not None]
+        return Metres(unit * (counts[0] if counts else 1.0))
     noun = read_noun(phrase)
     bare = not (noun.colors or noun.modifiers or noun.directions or noun.distance or noun.middle or noun.lone)
     counted = next((s.value for t in texts for s in meanings(t) if isinstance(s, Cardinal)), None)
