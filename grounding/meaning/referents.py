@@ -59,9 +59,9 @@ class Condition:
         strict: "directly", "exactly".
         nearly: "almost".
         counting: whether blocks are counted and not lengths.
-        metric: whether `number` is a length in metres and not in blocks.
         negated: whether it is denied.
         said: the word that says it, for weights that know single words.
+        metric: whether `number` is a length in metres and not in blocks.
     """
 
     concept: str
@@ -75,9 +75,9 @@ class Condition:
     strict: bool = False
     nearly: bool = False
     counting: bool = False
-    metric: bool = False
     negated: bool = False
     said: str = ""
+    metric: bool = False
 
     @property
     def restricts(self) -> bool:
