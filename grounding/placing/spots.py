@@ -153,7 +153,7 @@ def _settle(clues: list[Clue], source: int, reader: PhraseReader) -> FoundSpot |
         held.append(single)
         floor = VAGUE if g.clue.relation == "make" else FLOOR
         belief = belief * (
-            floor + (1 - floor) * (single.max(axis=1) if g.anchors is None else single @ g.anchors.share)
+            floor + (1 - floor) * _pooled(g, single)
         )
     spot = _choose(places, belief, grounded, held, true, plan, measured=measured)
     exact = measured or plan.board is not None or any(clue.relation == "touch" or clue.strict for clue in clues)
@@ -209,8 +209,13 @@ def _together(grounded: Sequence[GroundedClue], held: Sequence[Array]) -> Array:
     """How well all clues hold at places, shape (p,)."""
     total = np.ones(len(held[0]))
     for g, single in zip(grounded, held, strict=True):
-        total *= single.max(axis=1) if g.anchors is None else single @ g.anchors.share
+        total *= _pooled(g, single)
     return total
+
+
+def _pooled(g: GroundedClue, single: Array) -> Array:
+    """How well a clue holds at places over its hypotheses, shape (p,)."""
+    return np.asarray(single.max(axis=1) if g.anchors is None else single @ g.anchors.share)
 
 
 def _table_of(clues: list[Clue], source: int, reader: PhraseReader) -> int:

@@ -125,6 +125,15 @@ def checked_arm(arm: str) -> str:
     return arm
 
 
+def loaded(grounder: GrounderLike | None) -> GrounderLike:
+    """A grounder, or where there is none the one with the shipped weights."""
+    if grounder is not None:
+        return grounder
+    from grounding import Grounder
+
+    return Grounder.load()
+
+
 def timed_grounding(grounder: GrounderLike, text: str, world: World, history: Sequence[str]) -> tuple[Grounding, float]:
     """The meaning of a text, and how long that took in seconds.
 

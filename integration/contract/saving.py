@@ -48,11 +48,7 @@ def write_session(path: Path, saved: Saved) -> None:
     data = {
         "schema": SCHEMA,
         "world": world_to_json(saved.world),
-        "robot": {
-            **{arm: [float(value) for value in saved.state.joints(arm)] for arm in ARMS},
-            "widths": dict(saved.state.widths),
-            "held": dict(saved.state.held),
-        },
+        "robot": saved.state.to_json(),
         "history": list(saved.history),
         "seed": saved.seed,
         "before": [{"world": world_to_json(world), "held": dict(held)} for world, held in saved.before],

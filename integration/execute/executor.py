@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from grounding.result import Grounding
 from grounding.world import World
 from integration.contract.planning import Planner
-from integration.contract.requests import GrounderLike, checked_arm, timed_grounding
+from integration.contract.requests import GrounderLike, checked_arm, loaded, timed_grounding
 from integration.execute.report import Report, Step
 from integration.execute.session import Session
 from integration.execute.stage import Watch
@@ -72,10 +72,7 @@ class Executor:
         Raises:
             LanguageError: the instruction is empty.
         """
-        if self._grounder is None:
-            from grounding import Grounder
-
-            self._grounder = Grounder.load()
+        self._grounder = loaded(self._grounder)
         grounding, seconds = timed_grounding(self._grounder, text, world, history)
         return grounding, Step("ground", seconds)
 

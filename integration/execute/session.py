@@ -10,7 +10,7 @@ from grounding.world import World
 from integration.contract.facts import Fact, facts_of
 from integration.contract.planning import Planner
 from integration.contract.progress import Cancel, Cancelled, OnProgress
-from integration.contract.requests import Goal, GrounderLike, Home, checked_arm, grounded, timed_grounding
+from integration.contract.requests import Goal, GrounderLike, Home, checked_arm, grounded, loaded, timed_grounding
 from integration.contract.saving import Saved, read_session, write_session
 from integration.errors import NoPlan, UsageError
 from integration.execute.actions import after_moving, carry_out, refuse_beyond_hands, verdict
@@ -133,8 +133,10 @@ class Session:
             LanguageError: the text is empty.
         """
         self._check_open()
+        if isinstance(goal, Home):
+            return self._done(grounded(goal), lambda stage: _home(stage, goal), (), on_progress, cancel)
         if not isinstance(goal, str):
-            return self.perform(grounded(goal), (), on_progress, cancel, home=goal if isinstance(goal, Home) else None)
+            return self.perform(grounded(goal), (), on_progress, cancel)
         grounding, step = self.ground(goal)
         return self.perform(grounding, (step,), on_progress, cancel)
 
@@ -144,7 +146,8 @@ class Session:
         Raises:
             LanguageError: the text is empty.
         """
-        grounding, seconds = timed_grounding(self._loaded(), text, self._world, self._history)
+        self._grounder = loaded(self._grounder)
+        grounding, seconds = timed_grounding(self._grounder, text, self._world, self._history)
         return grounding, Step("ground", seconds)
 
     def perform(
@@ -153,8 +156,6 @@ class Session:
         steps: tuple[Step, ...] = (),
         on_progress: OnProgress | None = None,
         cancel: Cancel | None = None,
-        *,
-        home: Home | None = None,
     ) -> Report:
         """Carry out what was understood.
 
@@ -163,18 +164,15 @@ class Session:
             steps: what was done before, for the report.
             on_progress: as for `do`.
             cancel: as for `do`.
-            home: which arms are to go home, where that is the goal.
 
         Raises:
             UsageError: the session is closed.
         """
         self._check_open()
-        if home is None and (grounding.outcome != "grounded" or not grounding.actions):
+        if grounding.outcome != "grounded" or not grounding.actions:
             return ungrounded(grounding, self._world, self._seed, steps)
 
         def work(stage: Stage) -> tuple[Check, ...]:
-            if home is not None:
-                return _home(stage, home)
             if len(grounding.actions) > 1:
                 refuse_beyond_hands(grounding.actions)
             if not self._settled:
@@ -185,6 +183,17 @@ class Session:
                 done += carry_out(stage, action, action.arm or self._arm)
             return done
 
+        return self._done(grounding, work, steps, on_progress, cancel)
+
+    def _done(
+        self,
+        grounding: Grounding,
+        work: Work,
+        steps: tuple[Step, ...],
+        on_progress: OnProgress | None,
+        cancel: Cancel | None,
+    ) -> Report:
+        """Does some work, and remembers what was handled and what was before."""
         before = self._world, dict(self.held)
         report = self._tried(grounding, work, steps, on_progress, cancel)
         if displaced(scene_of(self._world), scene_of(before[0]), self.held, before[1]):
@@ -253,13 +262,6 @@ class Session:
     def _check_open(self) -> None:
         if self._closed:
             raise UsageError("this session was closed; begin another one, or load what it saved")
-
-    def _loaded(self) -> GrounderLike:
-        if self._grounder is None:
-            from grounding import Grounder
-
-            self._grounder = Grounder.load()
-        return self._grounder
 
     def _tried(
         self,

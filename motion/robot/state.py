@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from types import MappingProxyType
+from typing import Any
 
 import numpy as np
 
@@ -48,6 +49,14 @@ class RobotState:
     def home(cls) -> RobotState:
         """Both arms beside the table's middle, hands open and above everything."""
         return cls(recipe().home["left"], recipe().home["right"])
+
+    def to_json(self) -> dict[str, Any]:
+        """Plain values, under the names of the attributes."""
+        return {
+            **{arm: self.joints(arm).tolist() for arm in ARMS},
+            "widths": dict(self.widths),
+            "held": dict(self.held),
+        }
 
     def joints(self, arm: str) -> Array:
         """(7,) joints of one arm, radians."""

@@ -45,23 +45,22 @@ class Guarded:
 
     def run_phase(self, arm: str, target: str | None, phase: Any, on_step: Any = None, until: Any = None) -> Any:
         """Carries out one phase; every step that is heard of counts as an answer."""
-
-        def step(backend: Any) -> None:
-            self._heard = time.monotonic()
-            if on_step is not None:
-                on_step(backend)
-
+        step = self._hearing(on_step)
         return self._asked("run_phase", lambda: self._backend.run_phase(arm, target, phase, step, until))
 
     def hold(self, seconds: float, on_step: Any = None) -> None:
         """Lets time pass; every step that is heard of counts as an answer."""
+        self._asked("hold", lambda: self._backend.hold(seconds, self._hearing(on_step)))
+
+    def _hearing(self, on_step: Any) -> Callable[[Any], None]:
+        """Called after every time step, which counts as an answer."""
 
         def step(backend: Any) -> None:
             self._heard = time.monotonic()
             if on_step is not None:
                 on_step(backend)
 
-        self._asked("hold", lambda: self._backend.hold(seconds, step))
+        return step
 
     def _asked(self, name: str, ask: Callable[[], _Answer]) -> _Answer:
         """The answer.

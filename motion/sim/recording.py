@@ -13,12 +13,15 @@ from motion.errors import InvalidGoal
 from motion.path.trajectory import Trajectory
 from motion.plan.plans import Phase, Plan
 from motion.poses import Array, Pose
-from motion.robot.state import RobotState
+from motion.robot.state import ARMS, RobotState
 from motion.scene import Scene
 from motion.sim.backend import Backend, OnStep, Watching
 from motion.sim.execution import PhaseRecord
 
 SCHEMA = 1
+_VALUES = ("positions", "velocities", "accelerations")
+_NEAR = 0.02
+"""So far may each joint be from where a recording begins, radians."""
 
 
 class Recorder:
@@ -35,7 +38,7 @@ class Recorder:
     def __init__(self, backend: Backend, path: Path | str) -> None:
         self._backend = backend
         self._file = Path(path).open("w", encoding="utf-8")  # noqa: SIM115  # closed by `close`
-        self._write({"schema": SCHEMA, "start": _state(backend.state())})
+        self._write({"schema": SCHEMA, "start": backend.state().to_json()})
 
     # What is written.
 
@@ -173,9 +176,6 @@ def replay(path: Path | str, backend: Backend, on_step: OnStep | None = None) ->
     return tuple(records)
 
 
-_VALUES = ("positions", "velocities", "accelerations")
-
-
 def _lines(path: Path) -> Iterator[dict[str, Any]]:
     with path.open(encoding="utf-8") as file:
         for number, text in enumerate(file, start=1):
@@ -191,18 +191,10 @@ def _lines(path: Path) -> Iterator[dict[str, Any]]:
 def _check_start(line: dict[str, Any], backend: Backend) -> None:
     """Compares where the robot is with where the recording begins."""
     state = backend.state()
-    for arm in ("left", "right"):
+    for arm in ARMS:
         gap = float(np.max(np.abs(np.asarray(line["start"][arm], dtype=float) - state.joints(arm))))
         if not gap <= _NEAR:
             raise InvalidGoal(f"the recording begins {gap:.3f} rad from where the {arm} arm is")
-
-
-_NEAR = 0.02
-
-
-def _state(state: RobotState) -> dict[str, Any]:
-    return {"left": state.left.tolist(), "right": state.right.tolist(), "widths": dict(state.widths),
-            "held": dict(state.held)}  # fmt: skip
 
 
 def _commanded(positions: Array, period: float) -> Trajectory:

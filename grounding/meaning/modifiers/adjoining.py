@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from grounding.language.tree import Phrase
-from grounding.meaning.goal.lengths import Metres
 from grounding.meaning.modifiers.having import of_itself
 from grounding.meaning.modifiers.heard import hear
 from grounding.meaning.nouns import Noun, read_noun
@@ -71,8 +70,8 @@ def counting_off(noun: Noun, modifier: Phrase) -> Condition | None:
 def steps_from(reader: Reads, parts: Sequence[Phrase]) -> list[Condition] | None:
     """For example "two spaces up and one left of X": a place so many steps along every axis from a reference."""
     heard = [hear(part) for part in parts]
-    counted = [h for h in heard if h.measure is not None and not isinstance(h.measure, Metres)]
-    steps = tuple((h.directions(), h.measure) for h in counted if h.measure is not None and h.directions())
+    counted = [h for h in heard if not h.metric and h.directions()]
+    steps = tuple((h.directions(), h.measure) for h in counted if h.measure is not None)
     references = [h.noun for h in heard if h.noun is not None]
     if len(steps) != len(heard) or len(heard) < 2 or len(references) != 1:
         return None

@@ -9,7 +9,6 @@ from collections.abc import Callable
 from dataclasses import replace
 
 from grounding.lexicon import words as w
-from grounding.meaning.goal.lengths import Metres
 from grounding.meaning.modifiers.enclosing import enclosing
 from grounding.meaning.modifiers.heard import Heard
 from grounding.meaning.nouns import Noun
@@ -71,8 +70,8 @@ def _toward(reader: Reads, heard: Heard, noun: Noun, reference: Referent) -> lis
     if not names:
         return None
     if heard.measure is not None and reference.sort in (*_THINGS, PLACE):
-        return [Condition("measured", (reference,), names, number=heard.measure, counting=heard.counting,
-                          metric=isinstance(heard.measure, Metres))]
+        counting, metric = heard.counting, heard.metric
+        return [Condition("measured", (reference,), names, number=heard.measure, counting=counting, metric=metric)]
     if reference.sort in _THINGS:
         return [Condition("toward", (reference,), names, strict=heard.strict, said=heard.last)]
     region = reference.region

@@ -8,7 +8,6 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from grounding.lexicon import words as w
-from grounding.meaning.goal.lengths import Metres
 from grounding.meaning.modifiers.enclosing import enclosing
 from grounding.meaning.modifiers.having import having
 from grounding.meaning.modifiers.heard import Heard
@@ -37,8 +36,7 @@ def by_itself(reader: Reads, heard: Heard) -> list[Condition]:
 def _directed(reader: Reads, heard: Heard) -> list[Condition]:
     said, mentioned = heard.said, reader.context.mentioned
     if heard.measure is not None and mentioned is not None:  # "from two spaces below"
-        metric = isinstance(heard.measure, Metres)
-        return [Condition("measured", (again(mentioned),), said.directions, number=heard.measure, metric=metric)]
+        return [Condition("measured", (again(mentioned),), said.directions, number=heard.measure, metric=heard.metric)]
     region = Region(said.directions, said.middle, len(said.directions) > 1, bare=True, owner=said.agent)
     if heard.ordinal is not None or any(w.is_extreme(text) for text in heard.texts):  # "that is second highest"
         return [Condition("extreme", region=region, rank=heard.ordinal)]
@@ -108,8 +106,9 @@ def _side_of(reader: Reads, heard: Heard, noun: Noun) -> list[Condition] | None:
         return None
     toward = (*heard.further, *noun.directions)
     if heard.measure is not None:
-        metric = isinstance(heard.measure, Metres)
-        return [Condition("measured", (whole,), toward, number=heard.measure, counting=heard.counting, metric=metric)]
+        return [
+            Condition("measured", (whole,), toward, number=heard.measure, counting=heard.counting, metric=heard.metric)
+        ]
     return [Condition("toward", (whole,), toward, owner=noun.agent, strict=heard.strict, said=heard.last)]
 
 

@@ -43,6 +43,11 @@ class Heard:
     strict: bool
 
     @property
+    def metric(self) -> bool:
+        """Whether its measure is a length in metres and not in blocks."""
+        return isinstance(self.measure, Metres)
+
+    @property
     def ordinal(self) -> int | None:
         """The rank that its own words ask for."""
         return self.said.ordinals[0] if self.said.ordinals else None
